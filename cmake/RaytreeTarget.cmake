@@ -1,0 +1,41 @@
+# What every target of the project has in common.
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+# One compile setting for all of raytree's code, so that no number depends on the target it is
+# computed in. Contraction breaks error-free transformations and the symmetry of edge functions;
+# GCC 12's vectoriser of straight-line code loses the rounding of double to float.
+add_library(raytree_options INTERFACE)
+target_compile_features(raytree_options INTERFACE cxx_std_20)
+target_compile_options(raytree_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+  $<$<BOOL:${RAYTREE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(RAYTREE_SANITIZE)
+  target_compile_options(raytree_options INTERFACE
+    -fsanitize=${RAYTREE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(raytree_options INTERFACE -fsanitize=${RAYTREE_SANITIZE})
+endif()
+if(RAYTREE_COVERAGE)
+  target_compile_options(raytree_options INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(raytree_options INTERFACE --coverage)
+endif()
+
+# raytree_layer(NAME [DEPENDS LAYER...] [LIBRARIES TARGET...])
+# A folder of lib/ as a target of its own, raytree::NAME. It may use the layers it depends on and
+# no others.
+function(raytree_layer name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LIBRARIES")
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  list(TRANSFORM arg_DEPENDS PREPEND raytree::)
+  if(sources)
+    add_library(raytree_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(raytree_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(raytree::${name} ALIAS raytree_${name})
+  target_include_directories(raytree_${name} ${scope} "${PROJECT_SOURCE_DIR}/lib")
+  target_link_libraries(raytree_${name} ${scope} raytree_options ${arg_DEPENDS} ${arg_LIBRARIES})
+endfunction()
