@@ -1,0 +1,251 @@
+#include "geometry/shape_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/input_error.h"
+
+namespace raytree {
+namespace {
+
+Vec3<double> to_double(const Vec3<float>& v) { return vector_cast<double>(v); }
+Vec3<double> to_double(const Vec3<double>& v) { return v; }
+Vec3<double> to_double(const Vec3<Quad>& v) { return vector_cast<double>(v); }
+
+/// The scene's number in the arithmetic T, which may have too short a range for it.
+template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
+    const Vec3<T> result = vector_cast<T>(v);
+    if (!isfinite(result.x) || !isfinite(result.y) || !isfinite(result.z)) {
+        throw InputError("", "object '" + object + "'",
+                         "a coordinate is too large for this precision");
+    }
+    return result;
+}
+
+template <class T>
+std::vector<Vec3<T>> narrow_all(const std::vector<Point>& points, const std::string& object) {
+    std::vector<Vec3<T>> result;
+    result.reserve(points.size());
+    for (const Point& p : points) {
+        result.push_back(narrow<T>(p, object));
+    }
+    return result;
+}
+
+Box around_sphere(const Point& center, double radius) {
+    Box box;
+    box.include(center);
+    box.pad(radius);
+    return box;
+}
+
+/// The box of a circle about `center` in the plane across the unit vector `axis`.
+void include_disc(Box& box, const Point& center, const Point& axis, double radius) {
+    Point reach;
+    for (int k = 0; k < 3; ++k) {
+        reach[k] = radius * std::sqrt(std::max(0.0, 1 - axis[k] * axis[k]));
+    }
+    box.include(center - reach);
+    box.include(center + reach);
+}
+
+/// The box of the eight corners of `own`, taken to the world.
+template <class T> Box transformed(const Box& own, const AffineMap<T>& map) {
+    Box box;
+    for (int corner = 0; corner < 8; ++corner) {
+        Vec3<T> p;
+        for (int k = 0; k < 3; ++k) {
+            p[k] = static_cast<T>((corner >> k & 1) != 0 ? own.max[k] : own.min[k]);
+        }
+        box.include(to_double(map.point_to_world(p)));
+    }
+    return box;
+}
+
+/// What a hit may lie outside the ideal shape by rounding, and a polygon's vertices off its plane.
+template <class T> double margin(const Box& box) {
+    const double reach = std::max(largest_component(box.min), largest_component(box.max));
+    return 64 * static_cast<double>(max_of(static_cast<double>(Real<T>::unit_roundoff), 0x1p-53)) *
+           reach;
+}
+
+}  // namespace
+
+std::string primitive_name(const Scene& scene, const Primitive& primitive) {
+    const std::string& name = scene.objects[primitive.object].name;
+    return primitive.part < 0 ? name : name + '#' + std::to_string(primitive.part);
+}
+
+template <class T> ShapeSet<T>::ShapeSet(const Scene& scene) {
+    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        add(scene.objects[k], static_cast<std::uint32_t>(k));
+    }
+}
+
+template <class T> void ShapeSet<T>::add(const Object& object, std::uint32_t place) {
+    Primitive primitive;
+    primitive.object = place;
+    if (object.transform) {
+        primitive.transform = static_cast<std::int32_t>(transforms_.size());
+        transforms_.emplace_back(*object.transform);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+        primitive.kind = ShapeKind::sphere;
+        primitive.shape = static_cast<std::uint32_t>(spheres_.size());
+        spheres_.push_back(
+            {narrow<T>(sphere->center, object.name), static_cast<T>(sphere->radius)});
+        primitives_.push_back(primitive);
+    } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
+        primitive.kind = ShapeKind::cone;
+        primitive.shape = static_cast<std::uint32_t>(cones_.size());
+        cones_.push_back(
+            make_cone<T>(narrow<T>(cone->base, object.name), static_cast<T>(cone->base_radius),
+                         narrow<T>(cone->apex, object.name), static_cast<T>(cone->apex_radius)));
+        primitives_.push_back(primitive);
+    } else if (const auto* polygon = std::get_if<Polygon>(&object.shape)) {
+        add_polygon(*polygon, primitive);
+    } else {
+        add_mesh(std::get<Mesh>(object.shape), primitive);
+    }
+}
+
+template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primitive primitive) {
+    const auto vertices = narrow_all<T>(polygon.vertices, "polygon");
+    auto normals = narrow_all<T>(polygon.normals, "polygon");
+    if (vertices.size() == 3) {
+        for (Vec3<T>& normal : normals) {
+            normal = UnitVec3<T>::of(normal);
+        }
+        add_triangle({vertices[0], vertices[1], vertices[2]},
+                     normals.empty() ? nullptr : normals.data(), primitive);
+        return;
+    }
+    primitive.kind = ShapeKind::polygon;
+    primitive.shape = static_cast<std::uint32_t>(polygons_.size());
+    polygons_.push_back(make_polygon<T>(vertices, normals));
+    primitives_.push_back(primitive);
+
+    // The plane goes through the mean of the vertices: a hit may be as far off their box as the
+    // farthest vertex is off the plane, times at most sqrt(3) along the dropped axis.
+    const Plane<T>& plane = polygons_.back().plane;
+    Box box;
+    double off_plane = 0;
+    for (const Vec3<T>& vertex : vertices) {
+        box.include(to_double(vertex));
+        off_plane = std::max(off_plane,
+                             static_cast<double>(abs(inner(plane.normal, vertex - plane.point))));
+    }
+    box.pad(2 * off_plane);
+    polygon_boxes_.push_back(box);
+}
+
+template <class T> void ShapeSet<T>::add_mesh(const Mesh& mesh, Primitive primitive) {
+    std::vector<Vec3<T>> normals = narrow_all<T>(mesh.normals, mesh.file);
+    for (Vec3<T>& normal : normals) {
+        normal = UnitVec3<T>::of(normal);
+    }
+    primitives_.reserve(primitives_.size() + mesh.triangles.size());
+    triangles_.reserve(triangles_.size() + mesh.triangles.size());
+    for (const Mesh::Triangle& corners : mesh.triangles) {
+        ++primitive.part;
+        std::array<Vec3<T>, 3> vertices;
+        std::array<Vec3<T>, 3> corner_normals;
+        bool smooth = mesh.smooth;
+        for (std::size_t k = 0; k < 3; ++k) {
+            vertices[k] =
+                narrow<T>(mesh.vertices[static_cast<std::size_t>(corners[k].vertex)], mesh.file);
+            smooth = smooth && corners[k].normal >= 0;
+            if (smooth) {
+                corner_normals[k] = normals[static_cast<std::size_t>(corners[k].normal)];
+            }
+        }
+        add_triangle(vertices, smooth ? corner_normals.data() : nullptr, primitive);
+    }
+}
+
+template <class T> void ShapeSet<T>::add_triangle(const std::array<Vec3<T>, 3>& vertices,
+                                                  const Vec3<T>* normals,
+                                                  const Primitive& primitive) {
+    primitives_.push_back(primitive);
+    primitives_.back().kind = ShapeKind::triangle;
+    primitives_.back().shape = static_cast<std::uint32_t>(triangles_.size());
+    triangles_.push_back(make_triangle<T>(vertices));
+    if (normals) {
+        triangles_.back().normals = static_cast<std::int32_t>(vertex_normals_.size());
+        vertex_normals_.push_back({normals[0], normals[1], normals[2]});
+    }
+}
+
+template <class T>
+SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) const {
+    const Primitive& primitive = primitives_[id];
+    const auto at = [&](const Ray<T>& r) {
+        switch (primitive.kind) {
+            case ShapeKind::sphere:
+                return raytree::surface_at(spheres_[primitive.shape], r, t);
+            case ShapeKind::polygon:
+                return raytree::surface_at(polygons_[primitive.shape], r, t);
+            case ShapeKind::triangle: {
+                const TriangleShape<T>& triangle = triangles_[primitive.shape];
+                return raytree::surface_at(
+                    triangle,
+                    triangle.normals < 0
+                        ? nullptr
+                        : &vertex_normals_[static_cast<std::size_t>(triangle.normals)],
+                    r, t);
+            }
+            default:
+                return raytree::surface_at(cones_[primitive.shape], r, t);
+        }
+    };
+    if (primitive.transform < 0) {
+        return at(ray);
+    }
+    const AffineMap<T>& map = transforms_[static_cast<std::size_t>(primitive.transform)];
+    const SurfacePoint<T> own = at(map.ray_to_own_space(ray));
+    return {map.point_to_world(own.point), map.normal_to_world(own.geometric_normal),
+            map.normal_to_world(own.shading_normal)};
+}
+
+template <class T> Box ShapeSet<T>::bounds(PrimitiveId id) const {
+    const Primitive& primitive = primitives_[id];
+    Box box;
+    switch (primitive.kind) {
+        case ShapeKind::sphere: {
+            const SphereShape<T>& sphere = spheres_[primitive.shape];
+            box = around_sphere(to_double(sphere.center), static_cast<double>(sphere.radius));
+            break;
+        }
+        case ShapeKind::polygon:
+            box = polygon_boxes_[primitive.shape];
+            break;
+        case ShapeKind::triangle:
+            for (const Vec3<T>& vertex : triangles_[primitive.shape].vertices) {
+                box.include(to_double(vertex));
+            }
+            break;
+        case ShapeKind::cone: {
+            const ConeShape<T>& cone = cones_[primitive.shape];
+            const Point base = to_double(cone.base);
+            const Point axis = to_double(cone.axis.vec());
+            const auto height = static_cast<double>(cone.height);
+            const auto radius = static_cast<double>(cone.base_radius);
+            include_disc(box, base, axis, radius);
+            include_disc(box, base + height * axis, axis,
+                         radius + static_cast<double>(cone.slope) * height);
+            break;
+        }
+    }
+    box.pad(margin<T>(box));
+    if (primitive.transform >= 0) {
+        box = transformed(box, transforms_[static_cast<std::size_t>(primitive.transform)]);
+        box.pad(margin<T>(box));
+    }
+    return box;
+}
+
+template class ShapeSet<float>;
+template class ShapeSet<double>;
+template class ShapeSet<Quad>;
+
+}  // namespace raytree

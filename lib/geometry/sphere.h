@@ -1,0 +1,55 @@
+#pragma once
+
+#include "geometry/ray.h"
+
+namespace raytree {
+
+template <class T> struct SphereShape {
+    Vec3<T> center{};
+    T radius = 1;
+};
+
+/// The intersections with a sphere. The ray's origin is first moved to the point nearest to the
+/// centre, so that no digits are lost however far away it starts (the two-step form of Haines,
+/// Günther & Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
+/// ch. 7, 2019). From a start on the sphere the other root is -2 (f . d) / (d . d).
+template <class T>
+Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start) {
+    const Vec3<T> f = ray.origin - sphere.center;
+    const Vec3<T>& d = ray.direction;
+    const T a = inner(d, d);
+    const T first_step = -inner(f, d) / a;
+    Roots<T> roots;
+    if (start == Start::on_another_shape) {
+        const T error = ray.origin_error + 4 * Real<T>::unit_roundoff *
+                                               (largest_component(sphere.center) + sphere.radius);
+        const T gap = (inner(f, f) - sphere.radius * sphere.radius) / (2 * sphere.radius);
+        start = abs(gap) <= 4 * error ? Start::on_this_shape : start;
+    }
+    if (start == Start::on_this_shape) {
+        roots.add(2 * first_step);
+        return roots;
+    }
+    const Vec3<T> foot = along(f, first_step, d);
+    const T second_step = -inner(foot, d) / a;
+    const T square = sphere.radius * sphere.radius - inner(foot, foot);
+    if (square < 0) {
+        return roots;
+    }
+    const T half_chord = sqrt(square / a);
+    roots.add(first_step + (second_step - half_chord));
+    if (half_chord > 0) {
+        roots.add(first_step + (second_step + half_chord));
+    }
+    return roots;
+}
+
+/// The point of the sphere nearest to `origin + t direction`.
+template <class T>
+SurfacePoint<T> surface_at(const SphereShape<T>& sphere, const Ray<T>& ray, T t) {
+    const Vec3<T> f = ray.origin - sphere.center;
+    const auto normal = UnitVec3<T>::of(along(f, t, ray.direction));
+    return {along(sphere.center, sphere.radius, normal.vec()), normal, normal};
+}
+
+}  // namespace raytree

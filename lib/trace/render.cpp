@@ -1,0 +1,123 @@
+#include "trace/render.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <atomic>
+#include <chrono>
+
+#include "trace/tracer.h"
+
+namespace raytree {
+namespace {
+
+constexpr int tile = 16;
+
+using Tile = tbb::blocked_range2d<int>;
+
+/// Calls `work(tile)` for all tiles of a picture, on as many threads as asked for.
+template <class Work>
+void for_each_tile(int width, int height, const RenderOptions& options, Work&& work) {
+    std::atomic<std::size_t> done{0};
+    const double all = static_cast<double>(width) * height;
+    tbb::task_group_context context;
+    const auto run_tile = [&](const Tile& t) {
+        work(t);
+        const std::size_t pixels = t.rows().size() * t.cols().size();
+        const std::size_t so_far = done.fetch_add(pixels) + pixels;
+        if (options.progress && !options.progress(static_cast<double>(so_far) / all)) {
+            context.cancel_group_execution();
+        }
+    };
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(Tile(0, height, tile, 0, width, tile), run_tile,
+                          tbb::simple_partitioner(), context);
+    });
+}
+
+std::size_t place(int width, int i, int j) {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(i);
+}
+
+template <class T> Picture black(const World<T>& world) {
+    const Camera& camera = world.scene().camera;
+    return {camera.width, camera.height,
+            std::vector<Rgb<double>>(place(camera.width, 0, camera.height))};
+}
+
+template <class T> double value_of(Measure measure, const CountingRecorder<T>& recorder,
+                                   const RayCounts& before, std::size_t tests_before,
+                                   std::chrono::nanoseconds time) {
+    switch (measure) {
+        case Measure::rays:
+            return static_cast<double>(recorder.counts.rays() - before.rays());
+        case Measure::levels:
+            return recorder.levels;
+        case Measure::tests:
+            return static_cast<double>(recorder.tests.tests - tests_before);
+        case Measure::nanoseconds:
+            return static_cast<double>(time.count());
+        default:
+            return static_cast<double>(recorder.ended);
+    }
+}
+
+}  // namespace
+
+template <class T> Picture render(const World<T>& world, const RenderOptions& options) {
+    Picture picture = black(world);
+    for_each_tile(picture.width, picture.height, options, [&](const Tile& t) {
+        NoRecorder<T> recorder;
+        Tracer<T, NoRecorder<T>> tracer(world, recorder);
+        for (int j = t.rows().begin(); j < t.rows().end(); ++j) {
+            for (int i = t.cols().begin(); i < t.cols().end(); ++i) {
+                picture.pixels[place(picture.width, i, j)] =
+                    rgb_cast<double>(tracer.trace_pixel(i, j));
+            }
+        }
+    });
+    return picture;
+}
+
+template <class T>
+Measurement render_measured(const World<T>& world, Measure measure, const RenderOptions& options) {
+    using Clock = std::chrono::steady_clock;
+    Measurement result{black(world), {}, {}};
+    result.map.resize(result.picture.pixels.size());
+    tbb::enumerable_thread_specific<RayCounts> counts;
+    for_each_tile(result.picture.width, result.picture.height, options, [&](const Tile& t) {
+        CountingRecorder<T> recorder;
+        Tracer<T, CountingRecorder<T>> tracer(world, recorder);
+        for (int j = t.rows().begin(); j < t.rows().end(); ++j) {
+            for (int i = t.cols().begin(); i < t.cols().end(); ++i) {
+                const std::size_t k = place(result.picture.width, i, j);
+                const RayCounts before = recorder.counts;
+                const std::size_t tests_before = recorder.tests.tests;
+                recorder.begin_tree();
+                const auto begin = Clock::now();
+                result.picture.pixels[k] = rgb_cast<double>(tracer.trace_pixel(i, j));
+                result.map[k] =
+                    value_of(measure, recorder, before, tests_before, Clock::now() - begin);
+            }
+        }
+        recorder.counts.tests = recorder.tests.tests;
+        counts.local() += recorder.counts;
+    });
+    result.counts = counts.combine([](RayCounts a, const RayCounts& b) { return a += b; });
+    return result;
+}
+
+#define RAYTREE_INSTANTIATE(T)                                         \
+    template Picture render<T>(const World<T>&, const RenderOptions&); \
+    template Measurement render_measured<T>(const World<T>&, Measure, const RenderOptions&);
+RAYTREE_INSTANTIATE(float)
+RAYTREE_INSTANTIATE(double)
+RAYTREE_INSTANTIATE(Quad)
+#undef RAYTREE_INSTANTIATE
+
+}  // namespace raytree

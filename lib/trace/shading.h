@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.h"
+#include "trace/world.h"
+
+/// The formulas of illumination at one hit (model, section 3), each a function of its own.
+namespace raytree {
+
+/// What a light does at a point, before anything in between is asked.
+template <class T> struct Illumination {
+    Vec3<T> towards{};               ///< L, unit
+    T distance = Real<T>::infinity;  ///< D
+    T cosine = 0;                    ///< n . L
+    bool in_front() const { return cosine > 0; }
+};
+
+template <class T>
+Illumination<T> illuminate(const WorldLight<T>& light, const Vec3<T>& point, const Vec3<T>& n) {
+    Illumination<T> result;
+    if (light.directional) {
+        result.towards = light.towards;
+    } else {
+        const Vec3<T> to_light = light.position - point;
+        result.distance = length(to_light);
+        if (!(result.distance > 0)) {
+            return result;  // the light is on the point itself: it has no direction
+        }
+        result.towards = UnitVec3<T>::of(to_light).vec();
+    }
+    result.cosine = inner(n, result.towards);
+    return result;
+}
+
+/// `2 (n . v) n - v`, for a unit `n`: v mirrored about n.
+template <class T> Vec3<T> mirrored(const Vec3<T>& v, const Vec3<T>& n) {
+    return along(Vec3<T>(-v), 2 * inner(n, v), n);
+}
+
+/// `h` of the specular term: R . V (Phong, 1975) or n . H (Blinn, 1977), at least 0.
+template <class T> T specular_cosine(SpecularModel model, const Vec3<T>& n,
+                                     const Vec3<T>& towards_light, const Vec3<T>& towards_viewer) {
+    if (model == SpecularModel::phong) {
+        return max_of(T(0), inner(mirrored(towards_light, n), towards_viewer));
+    }
+    const Vec3<T> sum = towards_light + towards_viewer;
+    return largest_component(sum) > 0 ? max_of(T(0), inner(n, UnitVec3<T>::of(sum).vec())) : T(0);
+}
+
+template <class T> struct LocalLight { Rgb<T> diffuse, specular; };
+
+/// The two terms of a light in front of the surface of which `transmittance` arrives.
+template <class T> LocalLight<T> local_light(SpecularModel model, const WorldMaterial<T>& material,
+                                             const WorldLight<T>& light, const Illumination<T>& at,
+                                             const Vec3<T>& n, const Vec3<T>& viewing,
+                                             const Rgb<T>& transmittance) {
+    const T g = light.directional ? T(1) : light.attenuation.at(at.distance);
+    const Rgb<T> arriving = g * (light.intensity * transmittance);
+    const T h = specular_cosine(model, n, at.towards, Vec3<T>(-viewing));
+    return {at.cosine * (material.diffuse * arriving),
+            pow(h, material.shininess) * (material.specular * arriving)};
+}
+
+template <class T> UnitVec3<T> reflected_direction(const Vec3<T>& d, const Vec3<T>& n) {
+    return UnitVec3<T>::of(along(d, -2 * inner(d, n), n));
+}
+
+/// Snell's law at a hit.
+template <class T> struct Snell {
+    T eta1 = 1, eta2 = 1;
+    T sin2_transmitted = 0;
+    T cos2_transmitted = 1;  ///< 1 - sin2_transmitted, to more digits near the critical angle
+
+    bool total_reflection() const { return cos2_transmitted < 0; }
+};
+
+/// sin^2 of the incident angle is |n x d|^2, which keeps its digits near normal incidence.
+template <class T> Snell<T> snell(T eta1, T eta2, const Vec3<T>& d, const Vec3<T>& n) {
+    const Vec3<T> across = outer(n, d);
+    const T sin2 = inner(across, across);
+    const T eta = eta1 / eta2;
+    return {eta1, eta2, eta * eta * sin2, fma(-(eta * eta), sin2, T(1))};
+}
+
+template <class T>
+UnitVec3<T> refracted_direction(const Snell<T>& snell, const Vec3<T>& d, const Vec3<T>& n) {
+    const T eta = snell.eta1 / snell.eta2;
+    const T cos_incident = -inner(d, n);
+    return UnitVec3<T>::of(
+        along(Vec3<T>(eta * d), eta * cos_incident - sqrt(snell.cos2_transmitted), n));
+}
+
+}  // namespace raytree

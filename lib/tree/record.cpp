@@ -1,0 +1,141 @@
+#include "tree/record.h"
+
+#include <cmath>
+
+#include "trace/tracer.h"
+
+namespace raytree {
+namespace {
+
+/// Builds the tree of what the tracer reports.
+template <class T> class TreeRecorder {
+  public:
+    static constexpr bool wants_reasons = true;
+    using RayHandle = std::optional<std::size_t>;
+
+    TreeRecorder(const World<T>& world, RayTree<T>& tree) : world_(world), tree_(tree) {}
+
+    TestCount tests;
+
+    RayHandle start(RayHandle parent, const RayStart<T>& begun) {
+        TreeRay<T>& ray = add(parent, begun.kind, begun.level);
+        ray.origin = begun.ray.origin;
+        ray.direction = begun.ray.direction;
+        ray.weight = begun.weight;
+        return ray.id;
+    }
+
+    void hit(RayHandle handle, const HitEvent<T>& event) {
+        const Primitive& primitive = world_.shapes.shapes()[event.hit.primitive];
+        TreeHit<T>& hit = tree_.rays[*handle].hit.emplace();
+        hit.object = primitive_name(scene(), primitive);
+        hit.material = scene().materials[scene().objects[primitive.object].material].name;
+        hit.t = event.hit.t;
+        hit.point = event.point;
+        hit.normal = event.normal;
+        hit.side = event.front ? Side::front : Side::back;
+        hit.cos_incident = event.cos_incident;
+        if (event.snell) {
+            hit.interface = {event.snell->eta1, event.snell->eta2, event.snell->sin2_transmitted};
+        }
+        hit.kr = event.kr;
+        hit.kt = event.kt;
+    }
+
+    void shadow(RayHandle handle, const ShadowEvent<T>& event) {
+        TreeRay<T>& ray = add(handle, RayKind::shadow, tree_.rays[*handle].level);
+        ray.origin = event.origin;
+        ray.direction = event.at->towards;
+        ray.diffuse = event.adds.diffuse;
+        ray.specular = event.adds.specular;
+        ShadowPart<T>& part = ray.shadow.emplace();
+        part.light = scene().lights[event.light].name;
+        part.transmittance = event.transmittance;
+        if (!world_.lights[event.light].directional) {
+            part.distance = event.at->distance;
+        }
+        if (event.blocker) {
+            part.blocked_by = {
+                primitive_name(scene(), world_.shapes.shapes()[event.blocker->primitive]),
+                event.blocker->t};
+        }
+    }
+
+    void skip_light(RayHandle handle, std::size_t light, Reason reason) {
+        tree_.rays[*handle].skipped.push_back(
+            {RayKind::shadow, scene().lights[light].name, reason});
+    }
+    void skip_branch(RayHandle handle, RayKind kind, Reason reason) {
+        tree_.rays[*handle].skipped.push_back({kind, "", reason});
+    }
+
+    void end(RayHandle handle, const RayEnd<T>& end) {
+        TreeRay<T>& ray = tree_.rays[*handle];
+        ray.attenuation = end.attenuation;
+        ray.ambient = end.ambient;
+        ray.diffuse = end.diffuse;
+        ray.specular = end.specular;
+        ray.intensity = end.intensity;
+        ray.termination = end.termination;
+    }
+
+  private:
+    const Scene& scene() const { return world_.scene(); }
+
+    TreeRay<T>& add(RayHandle parent, RayKind kind, int level) {
+        TreeRay<T>& ray = tree_.rays.emplace_back();
+        ray.id = tree_.rays.size() - 1;
+        ray.parent = parent;
+        ray.kind = kind;
+        ray.level = level;
+        return ray;
+    }
+
+    const World<T>& world_;
+    RayTree<T>& tree_;
+};
+
+template <class T> TreeCounts count(const RayTree<T>& tree, std::size_t lights) {
+    TreeCounts counts;
+    for (const TreeRay<T>& ray : tree.rays) {
+        std::size_t* const by_kind[] = {&counts.primary, &counts.reflected, &counts.refracted,
+                                        &counts.shadow};
+        ++*by_kind[static_cast<std::size_t>(ray.kind)];
+        counts.levels = max_of(counts.levels, ray.level);
+    }
+    counts.lights = lights;
+    counts.full_tree =
+        static_cast<double>(lights + 1) * (std::ldexp(1.0, tree.settings.max_depth) - 1);
+    return counts;
+}
+
+}  // namespace
+
+template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
+    const Scene& scene = world.scene();
+    const Camera& camera = scene.camera;
+    if (i < 0 || j < 0 || i >= camera.width || j >= camera.height) {
+        throw InputError("", "pixel " + std::to_string(i) + ',' + std::to_string(j),
+                         "lies outside the picture; allowed are 0,0 to " +
+                             std::to_string(camera.width - 1) + ',' +
+                             std::to_string(camera.height - 1));
+    }
+    RayTree<T> tree;
+    tree.generator = "raytree " RAYTREE_VERSION;
+    tree.scene_name = scene.name;
+    tree.pixel_i = i;
+    tree.pixel_j = j;
+    tree.camera = camera;
+    tree.settings = scene.settings;
+    TreeRecorder<T> recorder(world, tree);
+    tree.intensity = Tracer<T, TreeRecorder<T>>(world, recorder).trace_pixel(i, j);
+    tree.counts = count(tree, scene.lights.size());
+    tree.counts.intersection_tests = recorder.tests.tests;
+    return tree;
+}
+
+template RayTree<float> record_tree<float>(const World<float>&, int, int);
+template RayTree<double> record_tree<double>(const World<double>&, int, int);
+template RayTree<Quad> record_tree<Quad>(const World<Quad>&, int, int);
+
+}  // namespace raytree
