@@ -2,6 +2,11 @@
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
+find_program(RAYTREE_CCACHE ccache)
+if(RAYTREE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${RAYTREE_CCACHE}")
+endif()
+
 # One compile setting for all of raytree's code, so that no number depends on the target it is
 # computed in. Contraction breaks error-free transformations and the symmetry of edge functions;
 # GCC 12's vectoriser of straight-line code loses the rounding of double to float.
