@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -32,7 +33,12 @@ void for_each_tile(int width, int height, const RenderOptions& options, Work&& w
             context.cancel_group_execution();
         }
     };
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    const int threads =
+        options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+    // Without this the library silently gives no more threads than there are cores.
+    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(Tile(0, height, tile, 0, width, tile), run_tile,
                           tbb::simple_partitioner(), context);

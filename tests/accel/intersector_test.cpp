@@ -1,0 +1,121 @@
+#include "accel/intersector.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "support/scenes.h"
+
+using namespace raytree;
+
+namespace {
+
+/// What `closest` and `all` say, found by testing every shape.
+std::vector<Hit<double>> brute_force(const ShapeSet<double>& shapes, const Ray<double>& ray,
+                                     PrimitiveId leaving, Interval<double> interval) {
+    std::vector<Hit<double>> hits;
+    for (PrimitiveId id = 0; id < shapes.size(); ++id) {
+        const auto roots = shapes.intersect(id, ray, leaving);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
+            if (roots.t[k] >= interval.from && roots.t[k] < interval.to) {
+                hits.push_back({roots.t[k], id});
+            }
+        }
+    }
+    std::sort(hits.begin(), hits.end());
+    return hits;
+}
+
+void check_same(const Scene& scene, unsigned seed, double reach, int rays) {
+    const Intersector<double> intersector(scene);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    NoTestCount count;
+    for (int k = 0; k < rays; ++k) {
+        const auto point = [&] { return Point(uniform(random), uniform(random), uniform(random)); };
+        Point direction = point();
+        if (k % 5 == 0) {
+            direction[k % 3] = 0;  // along the planes of the boxes
+        }
+        Ray<double> ray{reach * point(), UnitVec3<double>::of(direction).vec(), 0};
+        PrimitiveId leaving = no_primitive;
+        const auto start = intersector.closest(ray, no_primitive, {}, count);
+        if (k % 3 == 0 && start) {  // go on from a surface, in a new direction
+            leaving = start->primitive;
+            ray.origin = intersector.shapes().surface_at(leaving, ray, start->t).point;
+            ray.origin_error = 0x1p-51 * largest_component(ray.origin);
+            ray.direction = UnitVec3<double>::of(point());
+        }
+        const Interval<double> interval{0, k % 4 == 0 ? reach : Real<double>::infinity};
+        const auto expected = brute_force(intersector.shapes(), ray, leaving, interval);
+        const auto all = intersector.all(ray, leaving, interval, count);
+        const auto closest = intersector.closest(ray, leaving, interval, count);
+        REQUIRE(all.size() == expected.size());
+        for (std::size_t h = 0; h < all.size(); ++h) {
+            CHECK(all[h].t == expected[h].t);
+            CHECK(all[h].primitive == expected[h].primitive);
+        }
+        REQUIRE(closest.has_value() == !expected.empty());
+        if (closest) {
+            CHECK(closest->t == expected.front().t);
+            CHECK(closest->primitive == expected.front().primitive);
+        }
+        CHECK(intersector.any(ray, leaving, interval, count) == !expected.empty());
+    }
+}
+
+}  // namespace
+
+TEST_CASE("intersector: the hierarchy finds what brute force finds, at every scale and offset") {
+    for (const double scale : {1e-9, 1.0, 1e9}) {
+        for (const double offset : {0.0, 1e3, 1e8}) {
+            CAPTURE(scale);
+            CAPTURE(offset);
+            const Scene scene = test::random_shapes(300, 11, scale, Point(offset * scale));
+            check_same(scene, 5, 3 * scale, 300);
+        }
+    }
+}
+
+TEST_CASE("intersector: coincident, nested and flat shapes") {
+    Scene scene;
+    scene.materials.push_back({});
+    for (int k = 0; k < 100; ++k) {
+        test::add(scene, Sphere{{0, 0, 0}, 1});
+        test::add(scene, Sphere{{0, 0, 0}, 1.0 / (k + 1)});
+        test::add(scene, Polygon{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}, {}});
+        test::add(scene, Polygon{{{-1, -1, 0.5}, {1, -1, 0.5}, {0, 1, 0.5}}, {}});
+    }
+    check_same(scene, 3, 2, 300);
+}
+
+TEST_CASE("intersector: of equal t the first object wins") {
+    Scene scene;
+    scene.materials.push_back({});
+    for (int k = 0; k < 50; ++k) {
+        test::add(scene, Sphere{{0, 0, 0}, 1});
+    }
+    NoTestCount count;
+    const Intersector<double> intersector(scene);
+    const auto hit = intersector.closest({{0, 0.1, 5}, {0, 0, -1}, 0}, no_primitive, {}, count);
+    REQUIRE(hit);
+    CHECK(hit->primitive == 0);
+}
+
+TEST_CASE("intersector: an empty scene is met by nothing") {
+    const Intersector<double> intersector{Scene()};
+    TestCount count;
+    CHECK_FALSE(intersector.closest({{0, 0, 0}, {0, 0, -1}, 0}, no_primitive, {}, count));
+    CHECK(count.tests == 0);
+}
+
+TEST_CASE("intersector: the hierarchy spares most tests") {
+    const Scene scene = test::random_shapes(10'000, 4, 1, Point(0.0));
+    const Intersector<double> intersector(scene);
+    TestCount count;
+    for (int k = 0; k < 100; ++k) {
+        const Ray<double> ray{{0, 0, 3}, UnitVec3<double>::of({0.01 * k - 0.5, 0.1, -1}).vec(), 0};
+        intersector.closest(ray, no_primitive, {}, count);
+    }
+    CHECK(count.tests < 100 * 500);
+}
