@@ -15,6 +15,7 @@ target_compile_features(raytree_options INTERFACE cxx_std_20)
 target_compile_options(raytree_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of its own std::string (bug 105329)
   $<$<BOOL:${RAYTREE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(RAYTREE_SANITIZE)
   target_compile_options(raytree_options INTERFACE

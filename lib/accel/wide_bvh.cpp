@@ -232,11 +232,6 @@ WideBvh::WideBvh(std::span<const Box> boxes, const Config& config) {
     }
 }
 
-float WideBvh::BoxRay::upper(double t) const {
-    const double here = (t - start) * scale;
-    return here < 0 ? -1.0F : round_up(here * (1 + 0x1p-20));
-}
-
 WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& direction) const {
     constexpr double flattest = 1e-18;
     constexpr double float_roundoff = 0x1p-24;

@@ -21,10 +21,10 @@ Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start)
     const T first_step = -inner(f, d) / a;
     Roots<T> roots;
     if (start == Start::on_another_shape) {
-        const T error = ray.origin_error + 4 * Real<T>::unit_roundoff *
-                                               (largest_component(sphere.center) + sphere.radius);
-        const T gap = (inner(f, f) - sphere.radius * sphere.radius) / (2 * sphere.radius);
-        start = abs(gap) <= 4 * error ? Start::on_this_shape : start;
+        const T reach = largest_component(sphere.center) + sphere.radius;
+        const T error = 4 * (ray.origin_error + 4 * Real<T>::unit_roundoff * reach);
+        const T off_surface = inner(f, f) - sphere.radius * sphere.radius;
+        start = abs(off_surface) <= 2 * sphere.radius * error ? Start::on_this_shape : start;
     }
     if (start == Start::on_this_shape) {
         roots.add(2 * first_step);
@@ -32,11 +32,12 @@ Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start)
     }
     const Vec3<T> foot = along(f, first_step, d);
     const T second_step = -inner(foot, d) / a;
-    const T square = sphere.radius * sphere.radius - inner(foot, foot);
+    const Vec3<T> in_radii = foot / sphere.radius;
+    const T square = 1 - inner(in_radii, in_radii);
     if (square < 0) {
         return roots;
     }
-    const T half_chord = sqrt(square / a);
+    const T half_chord = sphere.radius * sqrt(square / a);
     roots.add(first_step + (second_step - half_chord));
     if (half_chord > 0) {
         roots.add(first_step + (second_step + half_chord));

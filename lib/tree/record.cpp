@@ -1,7 +1,9 @@
 #include "tree/record.h"
 
 #include <cmath>
+#include <string>
 
+#include "scene/input_error.h"
 #include "trace/tracer.h"
 
 namespace raytree {
@@ -109,6 +111,35 @@ template <class T> TreeCounts count(const RayTree<T>& tree, std::size_t lights) 
     return counts;
 }
 
+template <class T> bool finite(const Vec3<T>& v) { return isfinite(inner(v, Vec3<T>(T(1)))); }
+
+template <class T> bool finite(const TreeRay<T>& ray) {
+    bool all = finite(ray.origin) && finite(ray.direction) && isfinite(ray.weight) &&
+               isfinite(ray.attenuation) && isfinite(ray.diffuse) && isfinite(ray.specular) &&
+               isfinite(ray.ambient) && isfinite(ray.intensity);
+    if (ray.hit) {
+        all = all && isfinite(ray.hit->t) && finite(ray.hit->point) && finite(ray.hit->normal) &&
+              isfinite(ray.hit->cos_incident);
+    }
+    if (ray.hit && ray.hit->interface) {
+        all = all && isfinite(ray.hit->interface->sin2_transmitted);
+    }
+    return all && (!ray.shadow || isfinite(ray.shadow->transmittance));
+}
+
+/// A scene may hold numbers so large or small that something in the tree is no number any more.
+template <class T> void check_finite(const RayTree<T>& tree) {
+    for (const TreeRay<T>& ray : tree.rays) {
+        if (!finite(ray)) {
+            throw InputError(
+                "", "pixel " + std::to_string(tree.pixel_i) + ',' + std::to_string(tree.pixel_j),
+                "ray " + std::to_string(ray.id) +
+                    " of its tree has numbers beyond the range of this precision: "
+                    "the scene's lengths or coefficients are too large or too small");
+        }
+    }
+}
+
 }  // namespace
 
 template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
@@ -129,6 +160,7 @@ template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
     tree.settings = scene.settings;
     TreeRecorder<T> recorder(world, tree);
     tree.intensity = Tracer<T, TreeRecorder<T>>(world, recorder).trace_pixel(i, j);
+    check_finite(tree);
     tree.counts = count(tree, scene.lights.size());
     tree.counts.intersection_tests = recorder.tests.tests;
     return tree;
