@@ -32,6 +32,11 @@ struct LoadedScene {
 /// Reads, overrides and validates a scene. Throws InputError with every mistake that it found.
 LoadedScene load_scene(const std::filesystem::path& file, const SceneOptions& options = {});
 
+/// Makes the names of mesh files, which are relative to the folder `from`, relative to `to`, where
+/// the scene is to be written.
+void relocate_meshes(Scene& scene, const std::filesystem::path& from,
+                     const std::filesystem::path& to);
+
 /// Writes the scene in the format that the extension says, as far as that format can say it;
 /// returns a sentence for each thing that it cannot. The file is written whole or not at all.
 std::vector<std::string> save_scene(const Scene& scene, const std::filesystem::path& file);

@@ -22,7 +22,9 @@ using std::pow;
 using std::sqrt;
 using std::tan;
 
+#ifdef __STRICT_ANSI__  // else the standard library has it
 inline Quad abs(Quad x) { return fabsq(x); }
+#endif
 inline Quad acos(Quad x) { return acosq(x); }
 inline Quad fma(Quad a, Quad b, Quad c) { return fmaq(a, b, c); }
 inline bool isfinite(Quad x) { return finiteq(x) != 0; }

@@ -9,8 +9,10 @@ double diagonal(std::span<const Vec3<double>> vertices) {
     Vec3<double> low = vertices[0];
     Vec3<double> high = vertices[0];
     for (const Vec3<double>& vertex : vertices) {
-        low = glm::min(low, vertex);
-        high = glm::max(high, vertex);
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = min_of(low[axis], vertex[axis]);
+            high[axis] = max_of(high[axis], vertex[axis]);
+        }
     }
     return length(high - low);
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace raytree {
+
+/// Puts `bytes` into the file of that name, whole or not at all: what was there before stays until
+/// all is written. "-" is standard output. Throws InputError where it cannot be written.
+void write_output(const std::string& path, std::string_view bytes);
+
+/// All bytes of a file. Throws InputError where there is none, where it is a folder, or where it
+/// cannot be read.
+std::string read_input(const std::filesystem::path& path);
+
+}  // namespace raytree

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tree/layout.h"
+#include "tree/ray_tree.h"
+
+namespace raytree {
+
+/// What is drawn of one shadow ray, sent or not.
+struct LightRow {
+    enum class State { lit, blocked, absent };
+    State state = State::absent;
+    std::string light;
+    std::string fate;     ///< "reaches it", "ball in between", or the reason in a few words
+    std::string tooltip;  ///< the whole sentence
+};
+
+/// A box of the diagram: a ray with what it hit and the shadow rays from there, or a ray that was
+/// not sent.
+struct DiagramBox {
+    bool absent = false;
+    std::optional<std::size_t> parent;     ///< an earlier box
+    const TreeRay<double>* ray = nullptr;  ///< of one that was not sent, the ray that hit
+    RayKind branch = RayKind::primary;     ///< what kind of ray leads here
+    std::string title;                     ///< what was hit
+    std::vector<std::string> lines;        ///< its intensity; of one not sent, the reason
+    std::vector<std::string> notes;        ///< of a ray, as of `notes_of`
+    std::string tooltip;
+    std::vector<LightRow> lights;
+    double x = 0, y = 0;      ///< of the whole, in CSS pixels, y down
+    double card_width = 0;    ///< of the frame, which stands at the left
+    double card_height = 0;   ///< without the label above it
+    double lights_width = 0;  ///< beside the frame
+};
+
+/// Sizes that the drawing shares with the layout, in CSS pixels.
+struct DiagramSizes {
+    static constexpr double font = 11;
+    static constexpr double line = 14;
+    static constexpr double label = 17;  ///< above each frame: the kind of its ray
+    static constexpr double margin = 7;  ///< inside a frame
+    static constexpr double swatch = 13;
+    static constexpr double light_row = 29;
+    static constexpr double light_indent = 30;  ///< from the frame to a light's name
+};
+
+struct Diagram {
+    std::vector<DiagramBox> boxes;  ///< placed; the first is the primary ray's
+    double width = 0;
+    double height = 0;
+};
+
+Diagram diagram_of(const RayTree<double>& tree);
+
+/// What became of a shadow ray in two or three words: "reaches it", "blocked: ball".
+std::string short_fate(const TreeRay<double>& shadow_ray);
+
+/// What stands inside the frame of a ray, each in a few words: why it ended, and which branch its
+/// surface does not have.
+std::vector<std::string> notes_of(const TreeRay<double>& ray);
+
+/// Whether a branch that was not sent has a frame of its own: not where the notes say it all.
+bool has_frame(const TreeRay<double>& ray, const Skipped& branch);
+
+/// A reason in two or three words: its word in the format, with blanks.
+std::string short_reason(Reason reason);
+
+}  // namespace raytree

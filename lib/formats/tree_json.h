@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "tree/ray_tree.h"
+
+/// The format raytree/1.0: one pixel's ray tree.
+namespace raytree {
+
+/// The tree as a raytree/1.0 document, with the whole of `embedded` under `scene.document` where it
+/// is given. `T` is float, double or Quad; every number of the tree is finite.
+template <class T>
+std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded = nullptr);
+
+extern template std::string write_tree_json(const RayTree<float>&, const Scene*);
+extern template std::string write_tree_json(const RayTree<double>&, const Scene*);
+extern template std::string write_tree_json(const RayTree<Quad>&, const Scene*);
+
+/// A ray tree as a file gave it, which may be from someone else's tracer.
+struct ReadTree {
+    /// Depth first and numbered anew, directions made unit. What the file leaves out has its
+    /// default, except for what follows from the rest: levels, counts of rays, points and distances
+    /// of hits, and a hit's kr and kt, which are known from the shares of its branches.
+    RayTree<double> tree;
+    std::vector<std::string> ids;  ///< of each ray of `tree`: what the file calls it
+    std::optional<Scene> scene;    ///< the one inside the file
+    bool has_camera = false;       ///< whether the file gave the camera
+    bool has_settings = false;
+    std::vector<std::string> warnings;  ///< for people, "file: place: text"
+};
+
+/// Reads a raytree/1.0 document tolerantly: rays nested or in a list, in any order, with numbers or
+/// strings as ids, with little more than their kinds. Throws InputError, which names the JSON
+/// pointer, for what is no tree (two roots, an unknown parent, a circle, more than 1000 levels) and
+/// for values of a wrong type. `file` names it in messages; an embedded scene's meshes are looked
+/// for beside it.
+ReadTree read_tree_json(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace raytree
