@@ -1,0 +1,105 @@
+#include "arguments.h"
+
+#include <charconv>
+
+namespace raytree::inspector {
+namespace {
+
+[[noreturn]] void misuse(const std::string& text) {
+    throw InputError("", "", text + " (see raytree-inspector --help)");
+}
+
+std::pair<int, int> size_from(const std::string& text) {
+    std::pair<int, int> size;
+    const char* const end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size.first);
+    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+        const auto height = std::from_chars(width.ptr + 1, end, size.second);
+        const auto good = [](int n) { return n >= 640 && n <= 7680; };
+        if (height.ec == std::errc() && height.ptr == end && good(size.first) &&
+            good(size.second)) {
+            return size;
+        }
+    }
+    misuse("--size is WxH, each from 640 to 7680; found '" + text + "'");
+}
+
+Theme theme_from(const std::string& text) {
+    if (text == "light" || text == "dark") {
+        return text == "light" ? Theme::light : Theme::dark;
+    }
+    misuse("--theme is light or dark; found '" + text + "'");
+}
+
+void take_option(Arguments& arguments, const std::string& option, const std::string& value) {
+    if (option == "--pixel") {
+        arguments.pixel = pixel_from(value);
+    } else if (option == "--scene") {
+        arguments.scene = value;
+    } else if (option == "--screenshot") {
+        arguments.window.screenshot = value;
+    } else if (option == "--size") {
+        std::tie(arguments.window.width, arguments.window.height) = size_from(value);
+    } else if (option == "--theme") {
+        arguments.theme = theme_from(value);
+    } else {
+        misuse("there is no option " + option);
+    }
+}
+
+}  // namespace
+
+Arguments parse_arguments(std::span<char* const> words) {
+    Arguments arguments;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const std::string word = words[k];
+        if (word == "--help" || word == "-h") {
+            arguments.help = true;
+        } else if (word == "--version") {
+            arguments.version = true;
+        } else if (word.starts_with("--")) {
+            const std::size_t equals = word.find('=');
+            const std::string option = word.substr(0, equals);
+            if (equals != std::string::npos) {
+                take_option(arguments, option, word.substr(equals + 1));
+            } else {
+                take_option(arguments, option, k + 1 < words.size() ? words[k + 1] : "");
+                ++k;
+            }
+        } else if (!arguments.file) {
+            arguments.file = word;
+        } else {
+            misuse("one file at a time: " + arguments.file->string() + " or " + word);
+        }
+    }
+    return arguments;
+}
+
+std::string help_text() {
+    return R"(Examples:
+  raytree-inspector                                       the first scene
+  raytree-inspector scene.json --pixel 320,240            a scene, at a pixel
+  raytree-inspector tree.json --scene scene.json          a ray tree and its scene
+  raytree-inspector scene.nff --screenshot picture.png    draws the window once, into a file
+
+Usage: raytree-inspector [SCENE | TREE.json] [OPTION...]
+
+Shows the ray tree of a pixel: in the picture, in 3D, as an outline, and in numbers.
+
+SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.json a ray tree
+(raytree/1.0).
+
+  --pixel I,J         column and row of the pixel, from 0 at the top left
+  --scene SCENE       the scene of a tree that does not hold it
+  --theme light|dark  the colours of the window
+  --size WxH          the size of the window; 1280x800 unless said otherwise
+  --screenshot FILE   draws the window, writes it as PNG, and ends
+  --help, --version
+
+In the window, ? lists all keys and commands.
+
+Exit codes: 0 done, 2 misuse or a file that cannot be read, 3 no display to open.
+)";
+}
+
+}  // namespace raytree::inspector

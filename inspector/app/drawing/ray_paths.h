@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "drawing/extent.h"
+#include "state/state.h"
+
+namespace raytree::inspector {
+
+/// A ray as it is drawn: a straight way with a beginning and an end.
+struct RayPath {
+    enum class End {
+        hit,      ///< on a surface that it meets
+        open,     ///< it meets nothing: it fades out, its node is hollow
+        light,    ///< it arrives at a light
+        blocked,  ///< a shadow ray, on the surface that stops it
+    };
+
+    std::size_t ray = 0;
+    RayLook look = RayLook::primary;
+    Point3 from, to;
+    double weight = 1;  ///< of the pixel, the largest channel, 0 to 1
+    End end = End::hit;
+    bool fades = false;  ///< it goes on beyond what is drawn of it
+
+    bool dashed() const { return look == RayLook::lit || look == RayLook::blocked; }
+};
+
+/// The rays of a tree as they are drawn, at most `most` of them: then those that weigh most.
+std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent,
+                               const std::set<RayKind>& hidden, std::size_t most = 100'000);
+
+/// The path that is drawn nearest to a place on the screen, if one is within `reach` pixels.
+std::optional<std::size_t> path_at(const std::vector<RayPath>& paths, const View& view, double x,
+                                   double y, double reach);
+
+/// What is to be seen when the whole tree is, or one ray. Far ends are drawn in.
+std::vector<Point3> points_of(const std::vector<RayPath>& paths, const Extent& extent);
+
+}  // namespace raytree::inspector

@@ -1,0 +1,324 @@
+#include "drawing/scene_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+#include "drawing/polygon_fill.h"
+#include "geometry/affine_map.h"
+#include "geometry/plane.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr double triangle_budget = 250'000;
+
+/// How an object looks: mostly its material's colour, glass and mirrors by tints of their own.
+Paint paint_of(const Material& material) {
+    const auto channel = [](double value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+    };
+    Ink ink;
+    ink.r = channel(material.color.r);
+    ink.g = channel(material.color.g);
+    ink.b = channel(material.color.b);
+    const double kt = largest_component(material.kt), kr = largest_component(material.kr);
+    const double kd = largest_component(material.kd);
+    if (kt > 0) {
+        return {mixed(ink, Ink(0x7FB3CF), 0.6), 34};
+    }
+    if (kr > kd) {
+        return {mixed(ink, Ink(0x9AA9B8), 0.7), 84};
+    }
+    return {mixed(ink, Ink(0xB8C0C8), 0.15), 110};
+}
+
+class Builder {
+  public:
+    Builder(const Document& document, const Extent& extent)
+        : scene_(document.scene()), extent_(extent), room_(extent.seen.grown(extent.diagonal)) {
+        choose_resolution();
+    }
+
+    SceneMesh build() {
+        for (const Object& object : scene_.objects) {
+            add(object);
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    /// Round shapes get as many facets as fit into the budget for all.
+    void choose_resolution() {
+        double wanted = 1;
+        for (const Object& object : scene_.objects) {
+            const double n = slices_of(object);
+            wanted += n * n;
+        }
+        finer_ = std::min(1.0, std::sqrt(triangle_budget / wanted));
+    }
+
+    int slices_of(const Object& object) const {
+        double radius = 0;
+        if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+            radius = sphere->radius;
+        } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
+            radius = std::max(cone->base_radius, cone->apex_radius);
+        } else {
+            return 0;
+        }
+        const double size = object.transform ? 0.1 : std::min(radius / extent_.diagonal, 0.25);
+        return std::max(8, static_cast<int>(finer_ * (12 + 120 * std::sqrt(size))));
+    }
+
+    void add(const Object& object) {
+        map_.reset();
+        if (object.transform) {
+            map_.emplace(*object.transform);
+        }
+        paint_ = paint_of(scene_.materials[object.material]);
+        line_ = {mixed(paint_.ink, Ink(0x5A6673), 0.55), 150};
+        ObjectFaces faces;
+        faces.first = mesh_.faces.triangle_count();
+        const std::size_t first_point = mesh_.faces.points.size();
+        std::visit([&](const auto& shape) { add_shape(shape, slices_of(object)); }, object.shape);
+        faces.count = mesh_.faces.triangle_count() - faces.first;
+        if (faces.count == 0) {
+            return;
+        }
+        measure(faces, first_point, std::holds_alternative<Polygon>(object.shape));
+        mesh_.objects.push_back(faces);
+    }
+
+    void measure(ObjectFaces& faces, std::size_t first_point, bool is_polygon) const {
+        const auto& points = mesh_.faces.points;
+        const auto at = [&](std::size_t k) { return Point3(points[k], points[k + 1], points[k + 2]); };
+        Span3 box{at(first_point), at(first_point)};
+        for (std::size_t k = first_point; k < points.size(); k += 3) {
+            box.add(at(k));
+        }
+        faces.centre = box.centre();
+        faces.flat = is_polygon && box.diagonal() > 0.6 * extent_.diagonal;
+        const auto& normals = mesh_.faces.normals;
+        faces.normal = {normals[first_point], normals[first_point + 1], normals[first_point + 2]};
+    }
+
+    Point3 to_world(const Point3& p) const { return map_ ? map_->point_to_world(p) : p; }
+    Point3 normal_to_world(const Point3& n) const {
+        return map_ ? map_->normal_to_world(UnitVec3<double>::of(n)).vec() : glm::normalize(n);
+    }
+
+    std::int32_t add_point(const Point3& p, const Point3& normal) {
+        return mesh_.faces.add_point(to_world(p), normal_to_world(normal), paint_);
+    }
+
+    /// A grid of facets over (0..columns, 0..rows), closed along its columns. `at` gives the point
+    /// and the normal of a corner.
+    template <class At> void add_surface(int columns, int rows, int wire_every, At at) {
+        const auto first = static_cast<std::int32_t>(mesh_.faces.points.size() / 3);
+        for (int row = 0; row <= rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                const auto [p, n] = at(column, row);
+                add_point(p, n);
+            }
+        }
+        const auto corner = [&](int column, int row) {
+            return first + row * columns + column % columns;
+        };
+        for (int row = 0; row < rows; ++row) {
+            for (int column = 0; column < columns; ++column) {
+                const std::int32_t a = corner(column, row), b = corner(column + 1, row);
+                const std::int32_t c = corner(column + 1, row + 1), d = corner(column, row + 1);
+                mesh_.faces.add_triangle(a, b, c);
+                mesh_.faces.add_triangle(a, c, d);
+            }
+        }
+        add_wires(first, columns, rows, wire_every);
+    }
+
+    void add_wires(std::int32_t first, int columns, int rows, int every) {
+        const auto base = static_cast<std::int32_t>(mesh_.wires.points.size() / 3);
+        const auto& points = mesh_.faces.points;
+        for (auto k = static_cast<std::size_t>(first) * 3; k < points.size(); k += 3) {
+            mesh_.wires.add_point({points[k], points[k + 1], points[k + 2]}, line_);
+        }
+        const auto join = [&](int c0, int r0, int c1, int r1) {
+            const auto place = [&](int c, int r) { return base + r * columns + c % columns; };
+            mesh_.wires.segments.insert(mesh_.wires.segments.end(), {place(c0, r0), place(c1, r1)});
+        };
+        for (int row = 0; row <= rows; row += every) {
+            for (int column = 0; column < columns; ++column) {
+                join(column, row, column + 1, row);
+            }
+        }
+        for (int column = 0; column < columns; column += every) {
+            for (int row = 0; row < rows; ++row) {
+                join(column, row, column, row + 1);
+            }
+        }
+    }
+
+    void add_shape(const Sphere& sphere, int slices) {
+        const int stacks = std::max(4, slices / 2);
+        add_surface(slices, stacks, std::max(1, slices / 12), [&](int column, int row) {
+            const double around = 2 * std::numbers::pi * column / slices;
+            const double polar = std::numbers::pi * row / stacks;
+            const Point3 out(std::sin(polar) * std::cos(around), std::cos(polar),
+                             std::sin(polar) * std::sin(around));
+            return std::pair(sphere.center + sphere.radius * out, out);
+        });
+    }
+
+    void add_shape(const Cone& cone, int slices) {
+        const Point3 way = cone.apex - cone.base;
+        const double height = glm::length(way);
+        const Point3 axis = way / height;
+        const Across axes = across(axis);
+        const double slope = (cone.base_radius - cone.apex_radius) / height;
+        add_surface(slices, 1, std::max(1, slices / 12), [&](int column, int row) {
+            const double around = 2 * std::numbers::pi * column / slices;
+            const Point3 out = std::cos(around) * axes.u + std::sin(around) * axes.v;
+            const Point3 middle = row == 0 ? cone.base : cone.apex;
+            const double radius = row == 0 ? cone.base_radius : cone.apex_radius;
+            return std::pair(middle + radius * out, out + slope * axis);
+        });
+    }
+
+    void add_shape(const Polygon& polygon, int) {
+        const Point3 normal = newell_normal<double>(polygon.vertices);
+        for (const auto& triangle : filled(polygon)) {
+            add_facet({triangle.begin(), triangle.end()}, normal);
+        }
+        const std::size_t n = polygon.vertices.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const Point3 a = to_world(polygon.vertices[k]);
+            const Point3 b = to_world(polygon.vertices[(k + 1) % n]);
+            if (room_.contains(a) && room_.contains(b)) {
+                mesh_.edges.add(a, b, line_);
+                mesh_.wires.add(a, b, line_);
+            }
+        }
+    }
+
+    /// What goes on far beyond the view fades out around it.
+    void add_facet(std::vector<Point3> outline, const Point3& normal) {
+        for (Point3& p : outline) {
+            p = to_world(p);
+        }
+        const Point3 n = normal_to_world(normal);
+        if (std::ranges::all_of(outline, [&](const Point3& p) { return fade_at(p) == 1; })) {
+            add_triangle(outline[0], outline[1], outline[2], n);
+            return;
+        }
+        outline = clipped(std::move(outline), room_.low, room_.high);
+        for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
+            add_fading(outline[0], outline[k], outline[k + 1], n);
+        }
+    }
+
+    void add_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
+        const auto add = [&](const Point3& p) {
+            const auto alpha = static_cast<std::uint8_t>(std::lround(paint_.alpha * fade_at(p)));
+            return mesh_.faces.add_point(p, n, {paint_.ink, alpha});
+        };
+        const std::int32_t first = add(a);
+        add(b);
+        mesh_.faces.add_triangle(first, first + 1, add(c));
+    }
+
+    /// Halves the longest side until the facets are small enough to follow the fading.
+    void add_fading(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
+        const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
+        if (std::max({ab, bc, ca}) <= 0.12 * extent_.diagonal) {
+            if (fade_at(a) + fade_at(b) + fade_at(c) > 0) {
+                add_triangle(a, b, c, n);
+            }
+        } else if (ab >= bc && ab >= ca) {
+            add_fading(a, (a + b) * 0.5, c, n);
+            add_fading((a + b) * 0.5, b, c, n);
+        } else {
+            add_fading(b, c, a, n);
+        }
+    }
+
+    /// 1 in the middle of the scene, 0 far from it.
+    double fade_at(const Point3& p) const {
+        const double distance = glm::length(p - extent_.seen.centre()) / extent_.diagonal;
+        const double s = std::clamp((1.05 - distance) / 0.45, 0.0, 1.0);
+        return s * s * (3 - 2 * s);
+    }
+
+    void add_shape(const raytree::Mesh& mesh, int) {
+        for (const auto& triangle : mesh.triangles) {
+            std::array<Point3, 3> p;
+            for (std::size_t k = 0; k < 3; ++k) {
+                p[k] = mesh.vertices[static_cast<std::size_t>(triangle[k].vertex)];
+            }
+            const Point3 flat = glm::cross(p[1] - p[0], p[2] - p[0]);
+            if (!(glm::length(flat) > 0)) {
+                continue;
+            }
+            std::array<std::int32_t, 3> place;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int normal = triangle[k].normal;
+                place[k] = add_point(
+                    p[k], normal < 0 ? flat : mesh.normals[static_cast<std::size_t>(normal)]);
+                mesh_.wires.add(to_world(p[k]), to_world(p[(k + 1) % 3]), line_);
+            }
+            mesh_.faces.add_triangle(place[0], place[1], place[2]);
+        }
+    }
+
+    const Scene& scene_;
+    const Extent& extent_;
+    Span3 room_;
+    double finer_ = 1;
+    SceneMesh mesh_;
+    std::optional<AffineMap<double>> map_;
+    Paint paint_, line_;
+};
+
+/// Large flat shapes stand behind all others as long as these lie between them and the viewer.
+bool is_behind_the_rest(const ObjectFaces& object, const Point3& middle, const Point3& eye) {
+    return glm::dot(middle - object.centre, object.normal) *
+               glm::dot(eye - object.centre, object.normal) >
+           0;
+}
+
+}  // namespace
+
+SceneMesh scene_mesh(const Document& document, const Extent& extent) {
+    return Builder(document, extent).build();
+}
+
+std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,
+                                           const Point3& eye) {
+    const Point3 middle = extent.seen.centre();
+    struct Place {
+        int layer;  ///< 0 behind the rest, 2 in front of it
+        double distance;
+        const ObjectFaces* object;
+    };
+    std::vector<Place> order;
+    for (const ObjectFaces& object : mesh.objects) {
+        const int layer =
+            !object.flat ? 1 : is_behind_the_rest(object, middle, eye) ? 0 : 2;
+        order.push_back({layer, glm::length(object.centre - eye), &object});
+    }
+    std::ranges::sort(order, [](const Place& a, const Place& b) {
+        return a.layer != b.layer ? a.layer < b.layer : a.distance > b.distance;
+    });
+    std::vector<std::int32_t> triangles;
+    triangles.reserve(mesh.faces.triangles.size());
+    for (const Place& place : order) {
+        const auto from = mesh.faces.triangles.begin() +
+                          static_cast<std::ptrdiff_t>(3 * place.object->first);
+        triangles.insert(triangles.end(), from,
+                         from + static_cast<std::ptrdiff_t>(3 * place.object->count));
+    }
+    return triangles;
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "drawing/extent.h"
+#include "drawing/mesh.h"
+
+namespace raytree::inspector {
+
+/// The triangles of one object within SceneMesh::faces.
+struct ObjectFaces {
+    std::size_t first = 0;  ///< of the triangles
+    std::size_t count = 0;
+    Point3 centre{0, 0, 0};
+    bool flat = false;        ///< a polygon that is large beside the rest
+    Point3 normal{0, 0, 0};   ///< of a flat one
+};
+
+/// A scene's shapes as they stand in the 3D view, built once for each scene. The alpha of a colour
+/// is how firm a shape is where it is looked at straight on.
+struct SceneMesh {
+    Mesh faces;
+    Lines edges;  ///< of polygons
+    Lines wires;  ///< of all shapes
+    std::vector<ObjectFaces> objects;
+};
+
+SceneMesh scene_mesh(const Document& document, const Extent& extent);
+
+/// The triangles in an order in which see-through objects may be drawn, the farthest first.
+std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,
+                                           const Point3& eye);
+
+}  // namespace raytree::inspector

@@ -1,0 +1,71 @@
+#include <X11/Xlib.h>
+
+#include <cstdio>
+#include <exception>
+#include <span>
+
+#include "arguments.h"
+#include "state/state.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr int bad_input = 2, no_display = 3;
+
+/// VTK aborts the program where there is no display; it is asked for before VTK is.
+bool display_opens() {
+    Display* const display = XOpenDisplay(nullptr);
+    if (display) {
+        XCloseDisplay(display);
+    }
+    return display != nullptr;
+}
+
+void open_first(State& state, const Arguments& arguments) {
+    Opened opened = open_file(arguments.file.value_or(RAYTREE_FIRST_SCENE), arguments.scene);
+    if (arguments.pixel) {
+        if (!opened.document->contains(*arguments.pixel)) {
+            const Camera& camera = opened.document->scene().camera;
+            throw InputError("", "--pixel",
+                             text_of(*arguments.pixel) + " lies outside the picture; allowed are "
+                             "0,0 to " + text_of(Pixel{camera.width - 1, camera.height - 1}));
+        }
+        opened.pixel = arguments.pixel;
+    }
+    state.show(opened);
+}
+
+int run(int argc, char** argv) {
+    const Arguments arguments =
+        parse_arguments(std::span(argv, static_cast<std::size_t>(argc)).subspan(1));
+    if (arguments.help) {
+        std::fputs(help_text().c_str(), stdout);
+        return 0;
+    }
+    if (arguments.version) {
+        std::puts("raytree " RAYTREE_VERSION);
+        return 0;
+    }
+    State state;
+    open_first(state, arguments);
+    if (!display_opens()) {
+        std::fputs("raytree-inspector: there is no display to open a window on (DISPLAY); "
+                   "xvfb-run gives one to programs on machines without\n",
+                   stderr);
+        return no_display;
+    }
+    state.change_look([&](Look& look) { look.theme = arguments.theme; });
+    return run_window(argc, argv, state, arguments.window);
+}
+
+}  // namespace
+}  // namespace raytree::inspector
+
+int main(int argc, char** argv) {
+    try {
+        return raytree::inspector::run(argc, argv);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "raytree-inspector: %s\n", error.what());
+        return raytree::inspector::bad_input;
+    }
+}

@@ -1,0 +1,215 @@
+#include "state/commands.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace raytree::inspector {
+namespace {
+
+bool has_scene(const State& state) { return state.document() != nullptr; }
+bool has_tree(const State& state) { return state.tree() != nullptr; }
+
+template <int di, int dj> void move_pixel(State& state, std::string_view) {
+    state.pick({state.pixel().i + di, state.pixel().j + dj});
+}
+
+void open(State& state, std::string_view file) { state.show(open_file(file)); }
+
+void reload(State& state, std::string_view) {
+    Opened opened = open_file(state.document()->file());
+    if (!opened.pixel && opened.document->contains(state.pixel())) {
+        opened.pixel = state.pixel();
+    }
+    state.show(opened);
+    if (state.message().empty()) {
+        state.say("Read again: " + state.document()->file().filename().string());
+    }
+}
+
+void pick(State& state, std::string_view argument) { state.pick(pixel_from(argument)); }
+
+void select(State& state, std::string_view argument) {
+    std::size_t ray = 0;
+    const char* const end = argument.data() + argument.size();
+    const auto read = std::from_chars(argument.data(), end, ray);
+    if (read.ec != std::errc() || read.ptr != end || !state.tree() ||
+        ray >= state.tree()->tree.rays.size()) {
+        throw InputError("", "ray.select", "the tree has no ray '" + std::string(argument) + "'");
+    }
+    state.select(ray);
+}
+
+bool shown(const State& state, std::size_t ray) {
+    return !state.look().hidden.contains(state.tree()->tree.rays[ray].kind);
+}
+
+/// The next ray in the order of computation that is not hidden, or the one before.
+std::optional<std::size_t> step_target(const State& state, int by) {
+    if (!state.tree()) {
+        return std::nullopt;
+    }
+    const auto count = static_cast<std::ptrdiff_t>(state.tree()->tree.rays.size());
+    auto ray = static_cast<std::ptrdiff_t>(state.selected()->id) + by;
+    while (ray >= 0 && ray < count && !shown(state, static_cast<std::size_t>(ray))) {
+        ray += by;
+    }
+    return ray >= 0 && ray < count ? std::optional(static_cast<std::size_t>(ray)) : std::nullopt;
+}
+
+using Target = std::optional<std::size_t> (*)(const State&);
+
+std::optional<std::size_t> next_ray(const State& state) { return step_target(state, 1); }
+std::optional<std::size_t> previous_ray(const State& state) { return step_target(state, -1); }
+std::optional<std::size_t> parent_ray(const State& state) {
+    return state.tree() ? parent_of(*state.tree(), state.selected()->id) : std::nullopt;
+}
+std::optional<std::size_t> child_ray(const State& state) {
+    return state.tree() ? first_child_of(*state.tree(), state.selected()->id) : std::nullopt;
+}
+std::optional<std::size_t> sibling_ray(const State& state) {
+    return state.tree() ? sibling_of(*state.tree(), state.selected()->id, 1) : std::nullopt;
+}
+std::optional<std::size_t> primary_ray(const State& state) {
+    return state.tree() ? std::optional<std::size_t>(0) : std::nullopt;
+}
+
+template <Target target> void go(State& state, std::string_view) { state.select(*target(state)); }
+template <Target target> bool can_go(const State& state) { return target(state).has_value(); }
+
+template <Request request> void ask(State& state, std::string_view) { state.request(request); }
+
+template <ShapeStyle style> void draw_shapes(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.shapes = style; });
+}
+template <ShapeStyle style> bool shapes_are(const State& state) {
+    return state.look().shapes == style;
+}
+
+template <RayKind kind> void switch_kind(State& state, std::string_view) {
+    state.change_look([](Look& look) {
+        if (look.hidden.erase(kind) == 0) {
+            look.hidden.insert(kind);
+        }
+    });
+}
+template <RayKind kind> bool kind_is_shown(const State& state) {
+    return !state.look().hidden.contains(kind);
+}
+
+template <bool Look::* field> void flip(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.*field = !(look.*field); });
+}
+template <bool Look::* field> bool is_on(const State& state) { return state.look().*field; }
+
+void switch_theme(State& state, std::string_view) {
+    state.change_look([](Look& look) {
+        look.theme = look.theme == Theme::light ? Theme::dark : Theme::light;
+    });
+}
+bool is_dark(const State& state) { return state.look().theme == Theme::dark; }
+
+constexpr Argument none = Argument::none;
+
+constexpr Command table[] = {
+    {"file.open", "File", "Open…", "Ctrl+O",
+     "Opens a scene (.json, .nff, .txt, .obj) or a ray tree (raytree/1.0).", Argument::file, open,
+     nullptr, nullptr, "Open"},
+    {"file.reload", "File", "Read again", "F5 Ctrl+R", "Reads the open file again.", none, reload,
+     has_scene, nullptr, "Reload"},
+    {"file.quit", "File", "Quit", "Ctrl+Q", "Ends the program.", none, ask<Request::quit>, nullptr,
+     nullptr, {}, true},
+
+    {"pixel.pick", "", "Choose pixel", "", "Shows the ray tree of pixel I,J.", Argument::pixel,
+     pick, has_scene},
+    {"pixel.left", "Pixel", "One to the left", "Left", "Chooses the pixel to the left.", none,
+     move_pixel<-1, 0>, has_scene},
+    {"pixel.right", "Pixel", "One to the right", "Right", "Chooses the pixel to the right.", none,
+     move_pixel<1, 0>, has_scene},
+    {"pixel.up", "Pixel", "One up", "Up", "Chooses the pixel above.", none, move_pixel<0, -1>,
+     has_scene},
+    {"pixel.down", "Pixel", "One down", "Down", "Chooses the pixel below.", none, move_pixel<0, 1>,
+     has_scene},
+    {"pixel.far_left", "Pixel", "Ten to the left", "Shift+Left",
+     "Chooses the pixel ten to the left.", none, move_pixel<-10, 0>, has_scene, nullptr, {}, true},
+    {"pixel.far_right", "Pixel", "Ten to the right", "Shift+Right",
+     "Chooses the pixel ten to the right.", none, move_pixel<10, 0>, has_scene},
+    {"pixel.far_up", "Pixel", "Ten up", "Shift+Up", "Chooses the pixel ten above.", none,
+     move_pixel<0, -10>, has_scene},
+    {"pixel.far_down", "Pixel", "Ten down", "Shift+Down", "Chooses the pixel ten below.", none,
+     move_pixel<0, 10>, has_scene},
+    {"pixel.fit_picture", "Pixel", "Whole picture", "0", "Shows all of the picture.", none,
+     ask<Request::fit_picture>, has_scene, nullptr, {}, true},
+
+    {"ray.select", "", "Select ray", "", "Selects the ray of this number.", Argument::ray, select,
+     has_tree},
+    {"ray.previous", "Ray", "Step back", "B", "Selects the ray that was traced before this one.",
+     none, go<previous_ray>, can_go<previous_ray>, nullptr, "Back"},
+    {"ray.next", "Ray", "Step forward", "N", "Selects the ray that is traced after this one.",
+     none, go<next_ray>, can_go<next_ray>, nullptr, "Step"},
+    {"ray.parent", "Ray", "Parent", "P", "Selects the ray from whose hit this one was sent.", none,
+     go<parent_ray>, can_go<parent_ray>, nullptr, "Parent", true},
+    {"ray.child", "Ray", "First child", "C", "Selects the first ray sent from this one's hit.",
+     none, go<child_ray>, can_go<child_ray>, nullptr, "Child"},
+    {"ray.sibling", "Ray", "Next of the same hit", "M", "Selects the next ray sent from the same hit.",
+     none, go<sibling_ray>, can_go<sibling_ray>},
+    {"ray.primary", "Ray", "Primary ray", "Home", "Selects the primary ray: the whole tree.", none,
+     go<primary_ray>, has_tree},
+
+    {"view.camera", "View", "Through the camera", "1",
+     "Looks through the camera, as the picture does.", none, ask<Request::through_camera>,
+     has_scene, nullptr, "Camera"},
+    {"view.side", "View", "From the side", "2",
+     "Looks from the side at the eye, the picture and the rays.", none, ask<Request::from_side>,
+     has_scene, nullptr, "Side"},
+    {"view.fit_tree", "View", "Fit the tree", "F", "Moves so that the whole tree fills the view.",
+     none, ask<Request::fit_tree>, has_tree, nullptr, "Fit tree"},
+    {"view.fit_ray", "View", "Fit the selected ray", "R",
+     "Moves so that the selected ray and its hit fill the view.", none, ask<Request::fit_ray>,
+     has_tree, nullptr, "Fit ray"},
+    {"shapes.see_through", "View", "See-through shapes", "X", "Draws shapes see-through.", none,
+     draw_shapes<ShapeStyle::see_through>, nullptr, shapes_are<ShapeStyle::see_through>, {}, true},
+    {"shapes.solid", "View", "Solid shapes", "Shift+X", "Draws shapes solid.", none,
+     draw_shapes<ShapeStyle::solid>, nullptr, shapes_are<ShapeStyle::solid>},
+    {"shapes.wire", "View", "Wire shapes", "W", "Draws shapes as wires.", none,
+     draw_shapes<ShapeStyle::wire>, nullptr, shapes_are<ShapeStyle::wire>},
+    {"show.shadow", "View", "Shadow rays", "S", "Shows or hides shadow rays in the 3D view.", none,
+     switch_kind<RayKind::shadow>, nullptr, kind_is_shown<RayKind::shadow>, "Shadow rays", true},
+    {"show.reflected", "View", "Reflected rays", "Shift+R",
+     "Shows or hides reflected rays in the 3D view.", none, switch_kind<RayKind::reflected>,
+     nullptr, kind_is_shown<RayKind::reflected>},
+    {"show.refracted", "View", "Refracted rays", "Shift+T",
+     "Shows or hides refracted rays in the 3D view.", none, switch_kind<RayKind::refracted>,
+     nullptr, kind_is_shown<RayKind::refracted>},
+    {"show.ghosts", "View", "Rays that were not sent", "G",
+     "Shows or hides skipped rays, with their reasons, in the outline.", none, flip<&Look::ghosts>,
+     nullptr, is_on<&Look::ghosts>, "Not sent"},
+    {"show.names", "View", "Names in the 3D view", "L",
+     "Shows or hides the names of the eye, lights and shapes in the 3D view.", none,
+     flip<&Look::names>, nullptr, is_on<&Look::names>},
+    {"look.dark", "View", "Dark theme", "T", "Changes between the light and the dark theme.", none,
+     switch_theme, nullptr, is_dark, "Dark", true},
+
+    {"help.keys", "Help", "Keys and commands", "? F1", "Lists every command and its key.", none,
+     ask<Request::cheat_sheet>},
+};
+
+}  // namespace
+
+std::span<const Command> commands() { return table; }
+
+const Command* find_command(std::string_view id) {
+    const auto found = std::ranges::find(table, id, &Command::id);
+    return found == std::end(table) ? nullptr : found;
+}
+
+void run_command(State& state, std::string_view id, std::string_view argument) {
+    const Command* const command = find_command(id);
+    if (!command) {
+        throw InputError("", std::string(id), "there is no such command");
+    }
+    if (!command->possible || command->possible(state)) {
+        command->run(state, argument);
+    }
+}
+
+}  // namespace raytree::inspector

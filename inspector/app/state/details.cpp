@@ -1,0 +1,239 @@
+#include "state/details.h"
+
+#include <cmath>
+
+#include "state/numbers.h"
+#include "tree/explain.h"
+
+namespace raytree::inspector {
+namespace {
+
+using Row = DetailRow;
+using Weight = DetailRow::Weight;
+
+Row text_row(std::string label, std::string text) {
+    return {std::move(label), {std::move(text)}, Weight::normal, true, {}};
+}
+
+Row number_row(std::string label, double value) {
+    return {std::move(label), aligned(std::array{value}), Weight::normal, false, {}};
+}
+
+template <class Triple> Row triple_row(std::string label, const Triple& triple) {
+    return {std::move(label), aligned(triple), Weight::normal, false, {}};
+}
+
+Row heading_row(std::vector<std::string> cells) {
+    return {"", std::move(cells), Weight::faint, false, {}};
+}
+
+std::string reference(std::size_t ray) { return "#" + std::to_string(ray); }
+
+DetailSection way_of(const PixelTree& tree, const TreeRay<double>& ray) {
+    DetailSection section{"Ray", {}, {}};
+    auto& rows = section.rows;
+    rows.push_back(text_row("level", std::to_string(ray.level) + " of at most " +
+                                         std::to_string(tree.tree.settings.max_depth)));
+    if (ray.parent) {
+        rows.push_back(text_row("sent from", title_of(tree.tree.rays[*ray.parent])));
+    }
+    rows.push_back(heading_row({"x", "y", "z"}));
+    rows.push_back(triple_row("origin", ray.origin));
+    rows.push_back(triple_row("direction", ray.direction));
+    return section;
+}
+
+DetailSection hit_of(const TreeHit<double>& hit) {
+    DetailSection section{"Hit", {}, {}};
+    auto& rows = section.rows;
+    const bool own_material = hit.material.empty() || hit.material == hit.object;
+    rows.push_back(text_row("object", hit.object));
+    if (!own_material) {
+        rows.push_back(text_row("material", hit.material));
+    }
+    rows.push_back(text_row("side", hit.side == Side::front ? "front: the ray comes from outside"
+                                                            : "back: the ray comes from inside"));
+    rows.push_back(number_row("t", hit.t));
+    rows.push_back(heading_row({"x", "y", "z"}));
+    rows.push_back(triple_row("point", hit.point));
+    rows.push_back(triple_row("normal n", hit.normal));
+    rows.push_back(text_row("angle to n", angle_text(hit.cos_incident)));
+    return section;
+}
+
+DetailSection refraction_of(const TreeHit<double>& hit) {
+    const Interface<double>& at = *hit.interface;
+    DetailSection section{"Refraction", {}, {}};
+    section.rows.push_back(
+        text_row("η1 → η2", number_text(at.eta1) + " → " + number_text(at.eta2)));
+    section.rows.push_back(number_row("sin² θ2", at.sin2_transmitted));
+    const std::string in = angle_text(hit.cos_incident);
+    if (at.sin2_transmitted <= 1) {
+        section.rows.push_back(text_row(
+            "θ1 → θ2", in + " → " + angle_text(std::sqrt(1 - std::max(0.0, at.sin2_transmitted))) +
+                           ", from the normal"));
+        return section;
+    }
+    section.rows.push_back(text_row("θ1", in + " from the normal"));
+    const double ratio = at.eta2 / at.eta1;
+    if (ratio < 1) {
+        section.rows.push_back(
+            text_row("critical angle", angle_text(std::sqrt(1 - ratio * ratio)) + ", exceeded"));
+    }
+    return section;
+}
+
+void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay<double>& child,
+                std::vector<Row>& rows) {
+    const bool reflected = child.kind == RayKind::reflected;
+    const std::string k = reflected ? "kr" : "kt", i = reflected ? "Ir" : "It";
+    const Rgb<double>& coefficient = reflected ? ray.hit->kr : ray.hit->kt;
+    const Rgb<double> share = child.attenuation * (coefficient * child.intensity);
+    rows.push_back(triple_row("+ " + k + "·f·" + i, share));
+    const auto faint = [&](const std::string& label, std::vector<std::string> cells) {
+        rows.push_back({"   " + label, std::move(cells), Weight::faint, false, {}});
+    };
+    faint(k, aligned(coefficient));
+    if (tree.tree.settings.attenuation != Attenuation{}) {
+        faint("f", aligned(Rgb<double>(child.attenuation)));
+    }
+    faint(i + " of " + reference(child.id), aligned(child.intensity));
+}
+
+DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {
+    DetailSection section{"Intensity", {}, {}};
+    auto& rows = section.rows;
+    rows.push_back(heading_row({"red", "green", "blue"}));
+    if (ray.hit) {
+        rows.push_back(triple_row("ambient", ray.ambient));
+        rows.push_back(triple_row("+ diffuse", ray.diffuse));
+        rows.push_back(triple_row("+ specular", ray.specular));
+        for (const std::size_t child : tree.children[ray.id]) {
+            if (tree.tree.rays[child].kind != RayKind::shadow) {
+                add_branch(tree, ray, tree.tree.rays[child], rows);
+            }
+        }
+    }
+    Row sum = triple_row(ray.hit ? "= I" : "I, the background", ray.intensity);
+    sum.weight = Weight::strong;
+    sum.swatch = ray.intensity;
+    rows.push_back(std::move(sum));
+    return section;
+}
+
+DetailSection share_of(const TreeRay<double>& ray) {
+    DetailSection section{"Share of the pixel", {}, {}};
+    section.rows.push_back(heading_row({"red", "green", "blue"}));
+    section.rows.push_back(triple_row("weight", ray.weight));
+    if (ray.kind != RayKind::primary) {
+        section.rows.push_back(triple_row("f of t", Rgb<double>(ray.attenuation)));
+        section.rows.push_back(
+            triple_row("weight·f·I", ray.attenuation * (ray.weight * ray.intensity)));
+    }
+    return section;
+}
+
+DetailSection endings_of(const PixelTree& tree, const TreeRay<double>& ray) {
+    DetailSection section{"Where it ends", {}, {}};
+    if (ray.termination) {
+        section.sentences.push_back("Ended: " + ended_text(tree.tree, ray) + ".");
+    }
+    for (const Skipped& skipped : ray.skipped) {
+        const std::string target = skipped.light.empty() ? "" : " to " + skipped.light;
+        section.sentences.push_back("No " + std::string(word_of(skipped.kind)) + " ray" + target +
+                                    ": " + skipped_text(tree.tree, ray, skipped) + ".");
+    }
+    return section;
+}
+
+DetailSection light_of(const TreeRay<double>& ray) {
+    const ShadowPart<double>& shadow = *ray.shadow;
+    DetailSection section{"Light", {}, {}};
+    auto& rows = section.rows;
+    rows.push_back(text_row("light", shadow.light));
+    if (shadow.distance) {
+        rows.push_back(number_row("distance", *shadow.distance));
+    } else {
+        rows.push_back(text_row("distance", "infinite: a directional light"));
+    }
+    if (shadow.blocked_by) {
+        rows.push_back(text_row("blocked by", shadow.blocked_by->object));
+        rows.push_back(number_row("at t", shadow.blocked_by->t));
+    }
+    section.sentences.push_back("The shadow ray " + shadow_text(ray) + ".");
+    return section;
+}
+
+DetailSection lighting_of(const TreeRay<double>& ray) {
+    DetailSection section{"What it adds", {}, {}};
+    section.rows.push_back(heading_row({"red", "green", "blue"}));
+    section.rows.push_back(triple_row("transmittance", ray.shadow->transmittance));
+    section.rows.push_back(triple_row("diffuse", ray.diffuse));
+    section.rows.push_back(triple_row("+ specular", ray.specular));
+    Row sum = triple_row("= added", ray.diffuse + ray.specular);
+    sum.weight = Weight::strong;
+    sum.swatch = ray.diffuse + ray.specular;
+    section.rows.push_back(std::move(sum));
+    return section;
+}
+
+}  // namespace
+
+std::vector<DetailSection> details_of(const PixelTree& tree, std::size_t id) {
+    const TreeRay<double>& ray = tree.tree.rays[id];
+    if (ray.shadow) {
+        return {light_of(ray), lighting_of(ray), way_of(tree, ray)};
+    }
+    std::vector<DetailSection> sections = {intensity_of(tree, ray)};
+    DetailSection endings = endings_of(tree, ray);
+    if (!endings.sentences.empty()) {
+        sections.push_back(std::move(endings));
+    }
+    if (ray.hit) {
+        sections.push_back(hit_of(*ray.hit));
+    }
+    if (ray.hit && ray.hit->interface) {
+        sections.push_back(refraction_of(*ray.hit));
+    }
+    sections.push_back(share_of(ray));
+    sections.push_back(way_of(tree, ray));
+    return sections;
+}
+
+std::string title_of(const TreeRay<double>& ray) {
+    const std::string kind(word_of(ray.kind));
+    return reference(ray.id) + " " + kind + " ray" +
+           (ray.shadow ? " to " + ray.shadow->light : "");
+}
+
+std::string value_text(const Rgb<double>& intensity, Quantize quantize) {
+    const EightBit pixel = eight_bit(intensity, quantize);
+    std::string text = rgb_text(intensity) + "  →  ";
+    std::string clamped;
+    for (std::size_t c = 0; c < 3; ++c) {
+        text += (c > 0 ? " " : "") + std::to_string(pixel.value[c]);
+        if (pixel.clamped[c]) {
+            clamped += (clamped.empty() ? "" : ", ") + std::string(channel_names[c]);
+        }
+    }
+    return clamped.empty() ? text : text + "  (" + clamped + " clamped)";
+}
+
+std::string pixel_text(const RayTree<double>& tree) {
+    return "Pixel " + text_of(Pixel{tree.pixel_i, tree.pixel_j}) + "   " +
+           value_text(tree.intensity, tree.settings.quantize);
+}
+
+std::string counts_text(const RayTree<double>& tree) {
+    const TreeCounts& n = tree.counts;
+    const auto plural = [](std::size_t count, const char* noun) {
+        return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+    };
+    return plural(n.all(), "ray") + ": " + std::to_string(n.primary) + " primary, " +
+           std::to_string(n.reflected) + " reflected, " + std::to_string(n.refracted) +
+           " refracted, " + std::to_string(n.shadow) + " shadow   ·   full tree: (" +
+           std::to_string(n.lights) + " + 1)(2^" + std::to_string(tree.settings.max_depth) +
+           " − 1) = " + grouped(n.full_tree);
+}
+
+}  // namespace raytree::inspector

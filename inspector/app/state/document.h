@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/scene_file.h"
+#include "scene/input_error.h"
+#include "trace/world.h"
+
+namespace raytree::inspector {
+
+/// Column from the left and row from the top, both from 0.
+struct Pixel {
+    int i = 0;
+    int j = 0;
+    friend bool operator==(const Pixel&, const Pixel&) = default;
+};
+
+/// "320,240": what the command line and commands take. Throws InputError for anything else.
+Pixel pixel_from(std::string_view text);
+std::string text_of(Pixel pixel);
+
+/// A scene that is open, prepared for tracing. It never changes.
+class Document {
+  public:
+    Document(std::filesystem::path file, LoadedScene loaded);
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    const std::filesystem::path& file() const { return file_; }
+    const LoadedScene& loaded() const { return loaded_; }
+    const Scene& scene() const { return loaded_.scene; }
+    const World<double>& world() const { return world_; }
+
+    bool contains(Pixel pixel) const;
+
+  private:
+    std::filesystem::path file_;
+    LoadedScene loaded_;
+    World<double> world_;
+};
+
+/// What opening a file gave.
+struct Opened {
+    std::shared_ptr<const Document> document;
+    std::optional<Pixel> pixel;      ///< the one of a tree's file
+    std::vector<std::string> notes;  ///< for people, a sentence each
+};
+
+/// A tree's file that does not hold its scene, opened without one.
+class SceneWanted : public InputError {
+  public:
+    explicit SceneWanted(std::string file);
+};
+
+/// Opens a scene in any format, or the scene and pixel of a ray tree (raytree/1.0), whose tree is
+/// traced anew. `scene_of_tree` is where the scene is when the tree's file does not hold it. Throws
+/// InputError.
+Opened open_file(const std::filesystem::path& file,
+                 const std::optional<std::filesystem::path>& scene_of_tree = {});
+
+}  // namespace raytree::inspector

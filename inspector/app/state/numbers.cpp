@@ -1,0 +1,72 @@
+#include "state/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "tree/explain.h"
+
+namespace raytree::inspector {
+namespace {
+
+std::string printed(double value, std::chars_format format, int precision) {
+    std::array<char, 400> buffer;
+    const auto end = std::to_chars(buffer.begin(), buffer.end(), value, format, precision).ptr;
+    return {buffer.data(), end};
+}
+
+}  // namespace
+
+std::vector<std::string> aligned(std::span<const double> values, int digits) {
+    double largest = 0;
+    for (const double value : values) {
+        largest = std::max(largest, std::abs(value));
+    }
+    const bool plain = largest == 0 || (largest >= 1e-2 && largest < 1e6);
+    const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
+    std::vector<std::string> texts;
+    for (const double value : values) {
+        if (value == 0) {
+            texts.emplace_back("0");
+        } else if (plain) {
+            // Numbers below 1 keep the places of those above it: they stand in one column.
+            const int decimals = std::clamp(digits - 1 - std::max(exponent, 0), 0, 9);
+            texts.push_back(printed(value, std::chars_format::fixed, decimals));
+        } else {
+            texts.push_back(printed(value, std::chars_format::scientific, digits - 4));
+        }
+    }
+    return texts;
+}
+
+std::vector<std::string> aligned(const Vec3<double>& v, int digits) {
+    return aligned(std::array{v.x, v.y, v.z}, digits);
+}
+
+std::vector<std::string> aligned(const Rgb<double>& c, int digits) {
+    return aligned(channels(c), digits);
+}
+
+std::string rgb_text(const Rgb<double>& c) {
+    std::string text;
+    for (const double value : channels(c)) {
+        const bool plain = std::abs(value) < 1e4;
+        text += (text.empty() ? "" : "  ") +
+                (plain ? printed(value, std::chars_format::fixed, 3) : number_text(value));
+    }
+    return text;
+}
+
+std::string grouped(double count) {
+    if (!(count < 1e15)) {
+        return number_text(count);
+    }
+    std::string text = printed(count, std::chars_format::fixed, 0);
+    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3) {
+        text.insert(static_cast<std::size_t>(at), ",");
+    }
+    return text;
+}
+
+}  // namespace raytree::inspector

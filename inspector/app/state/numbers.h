@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "math/rgb.h"
+#include "math/vector.h"
+
+/// Numbers that stand below each other. For those in sentences see tree/explain.h. Independent of
+/// the locale.
+namespace raytree::inspector {
+
+/// The numbers with as many decimals as give the largest of them `digits` significant ones; very
+/// small and very large ones in powers of ten.
+std::vector<std::string> aligned(std::span<const double> values, int digits = 6);
+std::vector<std::string> aligned(const Vec3<double>& v, int digits = 6);
+std::vector<std::string> aligned(const Rgb<double>& c, int digits = 6);
+
+/// "0.274  0.341  0.460": three decimals, for lists.
+std::string rgb_text(const Rgb<double>& c);
+
+/// 1234567 -> "1,234,567"
+std::string grouped(double count);
+
+}  // namespace raytree::inspector

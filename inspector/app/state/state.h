@@ -1,0 +1,106 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "state/document.h"
+#include "state/palette.h"
+#include "tree/ray_tree.h"
+
+/// What the inspector shows. Views read it and are told what has changed; commands change it.
+namespace raytree::inspector {
+
+enum class ShapeStyle { see_through, solid, wire };
+
+/// How things are shown, apart from what is shown.
+struct Look {
+    Theme theme = Theme::light;
+    ShapeStyle shapes = ShapeStyle::see_through;
+    std::set<RayKind> hidden;  ///< kinds of rays left out of the 3D view
+    bool ghosts = true;        ///< whether the outline has the rays that were not sent
+    bool names = true;         ///< whether things in the 3D view bear their names
+};
+
+/// What is asked of the views once; nothing of it stays in the state.
+enum class Request {
+    through_camera,
+    from_side,
+    fit_tree,
+    fit_ray,
+    fit_picture,
+    cheat_sheet,
+    quit
+};
+
+/// What has changed since a view last looked.
+struct Changes {
+    bool document = false;
+    bool tree = false;  ///< pixel, tree, and so the selection
+    bool selection = false;
+    bool look = false;
+    bool message = false;
+    std::optional<Request> request = std::nullopt;
+};
+
+/// The tree of the chosen pixel and its rays' children.
+struct PixelTree {
+    RayTree<double> tree;
+    std::vector<std::vector<std::size_t>> children;
+};
+
+class State {
+  public:
+    using Observer = std::function<void(const Changes&)>;
+
+    /// Called after every change, in the order of observing, for as long as the state lives.
+    void observe(Observer observer) { observers_.push_back(std::move(observer)); }
+
+    /// Null until a scene is open.
+    const std::shared_ptr<const Document>& document() const { return document_; }
+    Pixel pixel() const { return pixel_; }
+    /// Null where no scene is open, or where the pixel's tree has no finite intensity.
+    const std::shared_ptr<const PixelTree>& tree() const { return tree_; }
+    /// There whenever a tree is.
+    const TreeRay<double>* selected() const;
+    const Look& look() const { return look_; }
+    const std::string& message() const { return message_; }
+
+    /// Shows the scene and the pixel given, or else its most instructive one. The file's notes
+    /// become the message.
+    void show(const Opened& opened);
+    /// Chooses a pixel: of one outside the picture, the nearest in it.
+    void pick(Pixel pixel);
+    void select(std::size_t ray);
+    void change_look(const std::function<void(Look&)>& change);
+    void request(Request request);
+    /// One line for people; empty to clear it.
+    void say(std::string message);
+
+  private:
+    void trace();
+    void tell(const Changes& changes) const;
+
+    std::shared_ptr<const Document> document_;
+    Pixel pixel_;
+    std::shared_ptr<const PixelTree> tree_;
+    std::size_t selected_ = 0;
+    Look look_;
+    std::string message_;
+    std::vector<Observer> observers_;
+};
+
+/// Of a pixel's tree: what follows, leads to, or stands beside a ray.
+std::optional<std::size_t> parent_of(const PixelTree& tree, std::size_t ray);
+std::optional<std::size_t> first_child_of(const PixelTree& tree, std::size_t ray);
+/// The place of a ray in the list of its parent's children, `by` further; none beyond its ends.
+std::optional<std::size_t> sibling_of(const PixelTree& tree, std::size_t ray, int by);
+
+/// Whether `ray` lies on the way to `selected` or is one of its children: what keeps its full
+/// colour. Under the primary ray that is every ray.
+bool belongs_to(const PixelTree& tree, std::size_t selected, std::size_t ray);
+
+}  // namespace raytree::inspector

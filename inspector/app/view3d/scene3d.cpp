@@ -1,0 +1,242 @@
+#include "view3d/scene3d.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkTexture.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace raytree::inspector {
+namespace {
+
+template <class Array, class Value>
+vtkNew<Array> array_of(const std::vector<Value>& values, int components) {
+    vtkNew<Array> array;
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+}
+
+vtkNew<vtkCellArray> cells_of(const std::vector<std::int32_t>& corners, int of_each) {
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(of_each, array_of<vtkTypeInt32Array>(corners, 1));
+    return cells;
+}
+
+void set_points(vtkPolyData* data, const std::vector<float>& points,
+                const std::vector<std::uint8_t>& colours) {
+    vtkNew<vtkPoints> list;
+    list->SetData(array_of<vtkFloatArray>(points, 3));
+    data->SetPoints(list);
+    data->GetPointData()->SetScalars(array_of<vtkUnsignedCharArray>(colours, 4));
+}
+
+/// One drawn thing: its data, and how it is drawn.
+struct Part {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+
+    Part() {
+        mapper->SetInputData(data);
+        actor->SetMapper(mapper);
+        actor->PickableOff();
+        actor->VisibilityOff();  // until it has something to show
+    }
+
+    void set(const Mesh& mesh) {
+        set_points(data, mesh.points, mesh.colours);
+        data->GetPointData()->SetNormals(array_of<vtkFloatArray>(mesh.normals, 3));
+        data->SetPolys(cells_of(mesh.triangles, 3));
+        actor->SetVisibility(!mesh.triangles.empty());
+    }
+    void set(const Lines& lines) {
+        set_points(data, lines.points, lines.colours);
+        data->SetLines(cells_of(lines.segments, 2));
+        actor->SetVisibility(!lines.segments.empty());
+    }
+    void lit(double ambient, double diffuse) {
+        actor->GetProperty()->SetAmbient(ambient);
+        actor->GetProperty()->SetDiffuse(diffuse);
+        actor->GetProperty()->SetSpecular(0);
+    }
+    void unlit() { actor->GetProperty()->LightingOff(); }
+    void see_through(bool yes) {
+        actor->SetForceTranslucent(yes);
+        actor->SetForceOpaque(!yes);
+    }
+};
+
+/// Firmer where a surface turns away from the viewer: alpha grows towards the rim.
+constexpr const char* rim_code =
+    "//VTK::Light::Impl\n"
+    "  float facing = abs(normalVCVSOutput.z);\n"
+    "  float rim = (1.0 - facing) * (1.0 - facing);\n"
+    "  gl_FragData[0].a = clamp(opacity + (0.95 - opacity) * rim, 0.0, 1.0);\n";
+
+void set_background(vtkRenderer* renderer, const Palette& palette) {
+    const auto& low = palette.space_bottom;
+    const auto& high = palette.space_top;
+    renderer->SetBackground(low.r / 255.0, low.g / 255.0, low.b / 255.0);
+    renderer->SetBackground2(high.r / 255.0, high.g / 255.0, high.b / 255.0);
+    renderer->GradientBackgroundOn();
+}
+
+/// Two lights that move along with the viewer: from the upper left, and weaker from the right.
+void add_lights(vtkRenderer* renderer) {
+    renderer->AutomaticLightCreationOff();
+    struct Lamp {
+        double x, y, z, intensity;
+    };
+    for (const Lamp& lamp : {Lamp{-0.6, 0.9, 1.0, 0.8}, Lamp{0.9, -0.2, 0.7, 0.3}}) {
+        vtkNew<vtkLight> light;
+        light->SetLightTypeToCameraLight();
+        light->SetPosition(lamp.x, lamp.y, lamp.z);
+        light->SetFocalPoint(0, 0, 0);
+        light->SetIntensity(lamp.intensity);
+        renderer->AddLight(light);
+    }
+}
+
+}  // namespace
+
+struct Scene3d::Parts {
+    vtkNew<vtkGenericOpenGLRenderWindow> window;
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkTexture> texture;
+    Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading;
+    bool rim = false;
+
+    void set_shading() {
+        // Rays keep close to the colours of the legend; shapes are modelled by light.
+        for (Part* part : {&rays, &fading, &marks}) {
+            part->lit(0.72, 0.34);
+        }
+        shapes.lit(0.42, 0.68);
+        for (Part* part : {&edges, &picture, &mark_lines, &ray_lines, &halo}) {
+            part->unlit();
+        }
+    }
+
+    void set_rim(bool on) {
+        if (on == rim) {
+            return;
+        }
+        rim = on;
+        vtkShaderProperty* const shader = shapes.actor->GetShaderProperty();
+        shader->ClearAllFragmentShaderReplacements();
+        if (on) {
+            shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, rim_code, false);
+        }
+    }
+};
+
+Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
+    Parts& p = *parts_;
+    p.window->SetMultiSamples(0);  // see-through shapes vanish with it
+    p.window->AddRenderer(p.renderer);
+    p.renderer->UseFXAAOn();
+    add_lights(p.renderer);
+    p.set_shading();
+    // In the order in which what is see-through is laid over each other.
+    for (Part* part : {&p.picture, &p.shapes, &p.edges, &p.mark_lines, &p.marks, &p.ray_lines,
+                       &p.rays, &p.halo, &p.fading}) {
+        p.renderer->AddActor(part->actor);
+    }
+    for (Part* part : {&p.edges, &p.mark_lines, &p.ray_lines, &p.fading}) {
+        part->see_through(true);
+    }
+    for (Part* part : {&p.picture, &p.marks, &p.rays, &p.halo}) {
+        part->see_through(false);
+    }
+    // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
+    p.halo.actor->GetProperty()->FrontfaceCullingOn();
+    p.texture->InterpolateOn();
+    p.picture.actor->SetTexture(p.texture);
+}
+
+Scene3d::~Scene3d() = default;
+
+vtkGenericOpenGLRenderWindow* Scene3d::window() const { return parts_->window; }
+
+void Scene3d::set_theme(const Palette& palette) { set_background(parts_->renderer, palette); }
+
+void Scene3d::set_shapes(const SceneMesh& mesh, ShapeStyle style) {
+    Parts& p = *parts_;
+    p.shapes.set(mesh.faces);
+    p.shapes.actor->SetVisibility(style != ShapeStyle::wire && !mesh.faces.triangles.empty());
+    p.shapes.see_through(style == ShapeStyle::see_through);
+    p.set_rim(style == ShapeStyle::see_through);
+    p.edges.set(style == ShapeStyle::wire ? mesh.wires : mesh.edges);
+}
+
+void Scene3d::set_shape_order(const std::vector<std::int32_t>& triangles) {
+    parts_->shapes.data->SetPolys(cells_of(triangles, 3));
+}
+
+void Scene3d::set_rays(const RayMeshes& meshes) {
+    parts_->rays.set(meshes.solid);
+    parts_->fading.set(meshes.fading);
+    parts_->halo.set(meshes.halo);
+    parts_->ray_lines.set(meshes.lines);
+}
+
+void Scene3d::set_landmarks(const Landmarks& marks) {
+    parts_->marks.set(marks.solid);
+    parts_->mark_lines.set(marks.lines);
+}
+
+void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t>& colours) {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(width, height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* byte = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (const std::uint32_t colour : colours) {
+        *byte++ = static_cast<unsigned char>(colour >> 16);
+        *byte++ = static_cast<unsigned char>(colour >> 8);
+        *byte++ = static_cast<unsigned char>(colour);
+    }
+    parts_->texture->SetInputData(image);
+}
+
+void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool shown) {
+    vtkNew<vtkPoints> points;
+    for (const Point3& corner : corners) {
+        points->InsertNextPoint(corner.x, corner.y, corner.z);
+    }
+    vtkPolyData* const data = parts_->picture.data;
+    data->SetPoints(points);
+    data->SetPolys(cells_of({0, 1, 2, 3}, 4));
+    data->GetPointData()->SetTCoords(
+        array_of<vtkFloatArray>(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 2));
+    parts_->picture.actor->SetVisibility(shown && parts_->texture->GetInput());
+}
+
+void Scene3d::set_view(const View& view) {
+    vtkCamera* const camera = parts_->renderer->GetActiveCamera();
+    camera->SetPosition(view.eye.x, view.eye.y, view.eye.z);
+    camera->SetFocalPoint(view.target.x, view.target.y, view.target.z);
+    const Point3 up = axes_of(view).up;
+    camera->SetViewUp(up.x, up.y, up.z);
+    camera->SetViewAngle(view.fov_degrees);
+    parts_->renderer->ResetCameraClippingRange();
+}
+
+void Scene3d::render() { parts_->window->Render(); }
+
+}  // namespace raytree::inspector

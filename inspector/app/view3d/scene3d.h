@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "drawing/ray_mesh.h"
+#include "drawing/scene_mesh.h"
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace raytree::inspector {
+
+/// Draws the 3D view by VTK into a render window, which a widget shows. What stays the same from
+/// pick to pick (shapes, picture) is handed over once.
+class Scene3d {
+  public:
+    Scene3d();
+    ~Scene3d();
+
+    vtkGenericOpenGLRenderWindow* window() const;
+
+    void set_theme(const Palette& palette);
+    void set_shapes(const SceneMesh& mesh, ShapeStyle style);
+    /// The order in which see-through shapes are drawn: SceneMesh::faces' triangles sorted.
+    void set_shape_order(const std::vector<std::int32_t>& triangles);
+    void set_rays(const RayMeshes& meshes);
+    void set_landmarks(const Landmarks& marks);
+    /// The picture, 0xFFRRGGBB row by row from the top left, on a quadrangle from its top left on.
+    void set_picture(int width, int height, const std::vector<std::uint32_t>& colours);
+    void set_picture_place(const std::array<Point3, 4>& corners, bool shown);
+    void set_view(const View& view);
+    void render();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace raytree::inspector

@@ -1,0 +1,158 @@
+#include "window/actions.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "window/icons.h"
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+/// Keys with which lists and text are gone through as well.
+bool is_shared_key(const QKeySequence& keys) {
+    switch (keys[0] & ~static_cast<int>(Qt::KeyboardModifierMask)) {
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+        case Qt::Key_Up:
+        case Qt::Key_Down:
+        case Qt::Key_Home:
+            return true;
+        default:
+            return false;
+    }
+}
+
+QList<QKeySequence> keys_of(const Command& command) {
+    QList<QKeySequence> keys;
+    for (const QString& key : qt(command.keys).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+        keys.push_back(QKeySequence(key));
+    }
+    return keys;
+}
+
+std::string_view group_of(const Command& command) {
+    return command.id.substr(0, command.id.find('.'));
+}
+
+}  // namespace
+
+Actions::Actions(State& state, QMainWindow* window, std::function<QString()> ask_file,
+                 std::function<void(const InputError&)> fail)
+    : QObject(window), state_(state), ask_file_(std::move(ask_file)), fail_(std::move(fail)) {
+    for (const Command& command : commands()) {
+        if (!command.menu.empty()) {
+            actions_[command.id] = make(command);
+        }
+    }
+    add_menus(window);
+    add_toolbar(window);
+    refresh(true);
+    state_.observe([this](const Changes& changes) { refresh(changes.look); });
+}
+
+QAction* Actions::make(const Command& command) {
+    auto* const action = new QAction(qt(command.title), this);
+    const QList<QKeySequence> keys = keys_of(command);
+    action->setShortcuts(keys);
+    if (!keys.isEmpty() && is_shared_key(keys.front())) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    }
+    QString hint = qt(command.help);
+    if (!keys.isEmpty()) {
+        hint += QStringLiteral("  (%1)").arg(keys.front().toString(QKeySequence::NativeText));
+    }
+    action->setToolTip(hint);
+    action->setCheckable(command.on != nullptr);
+    if (!command.toolbar.empty()) {
+        action->setIconText(qt(command.toolbar));
+    }
+    connect(action, &QAction::triggered, this, [this, &command] { run(command, {}); });
+    return action;
+}
+
+void Actions::run(const Command& command, std::string_view argument) {
+    try {
+        std::string text(argument);
+        if (command.argument == Argument::file && text.empty()) {
+            text = ask_file_().toStdString();
+            if (text.empty()) {
+                return;
+            }
+        }
+        run_command(state_, command.id, text);
+    } catch (const InputError& error) {
+        fail_(error);
+    }
+    refresh(false);  // a switch that Qt has turned stands as the state says
+}
+
+void Actions::add_menus(QMainWindow* window) {
+    std::map<std::string_view, QMenu*> menus;
+    for (const Command& command : commands()) {
+        if (command.menu.empty()) {
+            continue;
+        }
+        QMenu*& menu = menus[command.menu];
+        if (!menu) {
+            menu = window->menuBar()->addMenu(QLatin1Char('&') + qt(command.menu));
+        }
+        if (command.rule_before) {
+            menu->addSeparator();
+        }
+        menu->addAction(actions_[command.id]);
+    }
+}
+
+void Actions::add_toolbar(QMainWindow* window) {
+    auto* const bar = new QToolBar(QStringLiteral("Tools"), window);
+    bar->setMovable(false);
+    bar->setIconSize({18, 18});
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    std::string_view group;
+    for (const Command& command : commands()) {
+        if (command.toolbar.empty()) {
+            continue;
+        }
+        if (!group.empty() && group != group_of(command)) {
+            bar->addSeparator();
+        }
+        group = group_of(command);
+        bar->addAction(actions_[command.id]);
+    }
+    for (QToolButton* const button : bar->findChildren<QToolButton*>()) {
+        button->setFocusPolicy(Qt::NoFocus);  // keys go on acting in the panes
+    }
+    window->setContextMenuPolicy(Qt::NoContextMenu);
+    window->addToolBar(bar);
+}
+
+void Actions::give_keys_to(QWidget* widget) {
+    for (const auto& [id, action] : actions_) {
+        if (action->shortcutContext() == Qt::WidgetWithChildrenShortcut) {
+            widget->addAction(action);
+        }
+    }
+}
+
+void Actions::refresh(bool theme) {
+    for (const Command& command : commands()) {
+        const auto found = actions_.find(command.id);
+        if (found == actions_.end()) {
+            continue;
+        }
+        QAction* const action = found->second;
+        action->setEnabled(!command.possible || command.possible(state_));
+        if (command.on) {
+            action->setChecked(command.on(state_));
+        }
+        if (theme && !command.toolbar.empty()) {
+            action->setIcon(command_icon(command.id, palette_of(state_.look().theme)));
+            action->setIconVisibleInMenu(false);
+        }
+    }
+}
+
+}  // namespace raytree::inspector

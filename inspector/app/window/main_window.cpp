@@ -1,0 +1,211 @@
+#include "window/main_window.h"
+
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "state/details.h"
+#include "window/actions.h"
+#include "window/cheat_sheet.h"
+#include "window/details_pane.h"
+#include "window/outline_pane.h"
+#include "window/picture_pane.h"
+#include "window/qt_text.h"
+#include "window/scene_pane.h"
+#include "window/theme.h"
+
+namespace raytree::inspector {
+
+MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
+    apply_theme(palette_of(state_.look().theme));
+    setAcceptDrops(true);
+    setDockOptions(QMainWindow::AnimatedDocks);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCentralWidget(make_centre());
+    picture_dock_ =
+        add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
+    details_ = new DetailsPane(state_);
+    details_dock_ =
+        add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
+    outline_ = new OutlinePane(state_);
+    outline_dock_ = add_dock(QStringLiteral("Ray tree"), outline_, Qt::BottomDockWidgetArea);
+
+    pixel_ = new QLabel;
+    counts_ = new QLabel;
+    pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    counts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    statusBar()->addWidget(pixel_);
+    statusBar()->addPermanentWidget(counts_);
+    statusBar()->setSizeGripEnabled(false);
+
+    actions_ = new Actions(
+        state_, this, [this] { return ask_file(QStringLiteral("Open a scene or a ray tree")); },
+        [this](const InputError& error) { report(QStringLiteral("Nothing was changed"), error); });
+    actions_->give_keys_to(picture_);
+    actions_->give_keys_to(scene_);
+    state_.observe([this](const Changes& changes) { obey(changes); });
+}
+
+QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget,
+                                  Qt::DockWidgetArea area) {
+    auto* const dock = new QDockWidget(title, this);
+    dock->setObjectName(title);
+    dock->setFeatures(QDockWidget::DockWidgetMovable);
+    dock->setWidget(widget);
+    addDockWidget(area, dock);
+    return dock;
+}
+
+QWidget* MainWindow::make_picture_box() {
+    auto* const box = new QWidget;
+    picture_ = new PicturePane(state_, feed_);
+    hovered_ = new QLabel;
+    hovered_->setMargin(4);
+    hovered_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    show_hovered(std::nullopt);
+    connect(picture_, &PicturePane::hovered, this, &MainWindow::show_hovered);
+    auto* const layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    layout->addWidget(picture_, 1);
+    layout->addWidget(hovered_);
+    return box;
+}
+
+QWidget* MainWindow::make_centre() {
+    auto* const box = new QWidget;
+    message_ = new QLabel;
+    message_->setWordWrap(true);
+    message_->setMargin(6);
+    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    message_->hide();
+    scene_ = new ScenePane(state_, feed_);
+    auto* const layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(message_);
+    layout->addWidget(scene_, 1);
+    return box;
+}
+
+/// The docks keep their shares of the window.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    const int left = std::clamp(static_cast<int>(width() * 0.31), 330, 620);
+    const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
+    const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
+    resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
+    resizeDocks({outline_dock_}, {below}, Qt::Vertical);
+    resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);
+}
+
+void MainWindow::obey(const Changes& changes) {
+    if (changes.look) {
+        apply_theme(palette_of(state_.look().theme));
+    }
+    if (changes.message || changes.look) {
+        const Palette& palette = palette_of(state_.look().theme);
+        message_->setText(qt(state_.message()));
+        message_->setVisible(!state_.message().empty());
+        message_->setStyleSheet(
+            QStringLiteral("background: %1; border-bottom: 1px solid %2")
+                .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
+                     qt(palette.rule).name()));
+    }
+    if (changes.tree) {
+        show_status();
+    }
+    if (changes.request == Request::cheat_sheet) {
+        show_cheat_sheet(this);
+    } else if (changes.request == Request::quit) {
+        close();
+    }
+}
+
+void MainWindow::show_status() {
+    const Document& document = *state_.document();
+    const std::string& name = document.scene().name;
+    setWindowTitle(qt(name.empty() ? document.file().filename().string() : name) +
+                   QStringLiteral(" — raytree inspector"));
+    if (state_.tree()) {
+        pixel_->setText(qt(pixel_text(state_.tree()->tree)));
+        counts_->setText(qt(counts_text(state_.tree()->tree)));
+    } else {
+        pixel_->setText(QStringLiteral("Pixel ") + qt(text_of(state_.pixel())));
+        counts_->clear();
+    }
+}
+
+void MainWindow::show_hovered(std::optional<Pixel> pixel) {
+    if (!pixel) {
+        hovered_->setText(QStringLiteral("click chooses a pixel, the wheel zooms"));
+        hovered_->setEnabled(false);
+        return;
+    }
+    hovered_->setEnabled(true);
+    QString text = qt(text_of(*pixel));
+    if (const auto intensity = feed_.intensity(*pixel)) {
+        text += QStringLiteral("   ") +
+                qt(value_text(*intensity, state_.document()->scene().settings.quantize));
+    }
+    hovered_->setText(text);
+}
+
+QString MainWindow::ask_file(const QString& title) {
+    const QString folder =
+        state_.document()
+            ? QString::fromStdString(state_.document()->file().parent_path().string())
+            : QString();
+    return QFileDialog::getOpenFileName(
+        this, title, folder,
+        QStringLiteral("Scenes and ray trees (*.json *.nff *.txt *.obj);;All files (*)"));
+}
+
+void MainWindow::report(const QString& title, const InputError& error) {
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("raytree inspector"), title,
+                    QMessageBox::Ok, this);
+    QString text = QString::fromUtf8(error.what());
+    constexpr int longest = 1500;
+    if (text.size() > longest) {
+        text = text.left(longest) + QStringLiteral("\n…");
+    }
+    box.setInformativeText(text);
+    box.setTextFormat(Qt::PlainText);
+    box.setTextInteractionFlags(Qt::TextSelectableByMouse);
+    box.exec();
+}
+
+void MainWindow::open(const QString& file) {
+    try {
+        try {
+            state_.show(open_file(file.toStdString()));
+        } catch (const SceneWanted&) {
+            const QString scene =
+                ask_file(QStringLiteral("This tree does not hold its scene: which one is it?"));
+            if (!scene.isEmpty()) {
+                state_.show(open_file(file.toStdString(), scene.toStdString()));
+            }
+        }
+    } catch (const InputError& error) {
+        report(QStringLiteral("This file cannot be opened"), error);
+    }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.front().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    open(event->mimeData()->urls().front().toLocalFile());
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "window/picture_feed.h"
+
+class QDockWidget;
+class QLabel;
+
+namespace raytree::inspector {
+
+class Actions;
+class DetailsPane;
+class OutlinePane;
+class PicturePane;
+class ScenePane;
+
+/// The window: 3D view in the middle, picture and details at the left, outline below.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(State& state);
+
+    PicturePane& picture_pane() const { return *picture_; }
+    ScenePane& scene_pane() const { return *scene_; }
+    OutlinePane& outline_pane() const { return *outline_; }
+    DetailsPane& details_pane() const { return *details_; }
+    const PictureFeed& feed() const { return feed_; }
+
+    /// The scene or tree of a file; what goes wrong is shown in a dialog.
+    void open(const QString& file);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+  private:
+    QDockWidget* add_dock(const QString& title, QWidget* widget, Qt::DockWidgetArea area);
+    QWidget* make_picture_box();
+    QWidget* make_centre();
+    void obey(const Changes& changes);
+    void show_status();
+    void show_hovered(std::optional<Pixel> pixel);
+    QString ask_file(const QString& title);
+    void report(const QString& title, const InputError& error);
+
+    State& state_;
+    PictureFeed feed_;
+    Actions* actions_ = nullptr;
+    PicturePane* picture_ = nullptr;
+    ScenePane* scene_ = nullptr;
+    OutlinePane* outline_ = nullptr;
+    DetailsPane* details_ = nullptr;
+    QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *outline_dock_ = nullptr;
+    QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
+};
+
+}  // namespace raytree::inspector

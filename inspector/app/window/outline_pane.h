@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QTreeView>
+
+#include "state/state.h"
+#include "window/outline_model.h"
+
+namespace raytree::inspector {
+
+/// The tree as an outline with columns. Choosing a row selects its ray; of a ghost, the ray that it
+/// would have been sent from.
+class OutlinePane : public QTreeView {
+    Q_OBJECT
+
+  public:
+    explicit OutlinePane(inspector::State& state, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {800, 260}; }
+
+  protected:
+    void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    void show_tree();
+    void show_selection();
+    void size_columns();
+
+    inspector::State& state_;  // not QAbstractItemView::State
+    OutlineModel* model_;
+    bool following_ = false;  ///< while the selection is taken over from the state
+};
+
+}  // namespace raytree::inspector

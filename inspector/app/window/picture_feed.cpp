@@ -1,0 +1,45 @@
+#include "window/picture_feed.h"
+
+namespace raytree::inspector {
+
+PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state_(state) {
+    timer_.setInterval(60);
+    connect(&timer_, &QTimer::timeout, this, &PictureFeed::poll);
+    state_.observe([this](const Changes& changes) {
+        if (changes.document) {
+            restart();
+        }
+    });
+}
+
+std::optional<Rgb<double>> PictureFeed::intensity(Pixel pixel) const {
+    return render_ ? render_->intensity(pixel) : std::nullopt;
+}
+
+/// The threads of the old picture are not waited for: a single tree of theirs may take long.
+void PictureFeed::restart() {
+    if (render_) {
+        render_->cancel();
+        ending_.push_back(std::move(render_));
+    }
+    render_ = std::make_unique<PictureRender>(state_.document());
+    version_ = ~std::uint64_t{0};
+    timer_.start();
+    poll();
+}
+
+void PictureFeed::poll() {
+    std::erase_if(ending_, [](const auto& render) { return render->stopped(); });
+    const std::uint64_t now = render_->version();
+    const bool finished = render_->stopped();
+    if (now != version_) {
+        version_ = now;
+        picture_ = render_->snapshot();
+        Q_EMIT updated();
+    }
+    if (finished && now == render_->version() && ending_.empty()) {
+        timer_.stop();
+    }
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,239 @@
+#include "window/picture_pane.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "tree/explain.h"
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr double largest_scale = 160;
+constexpr double grid_from = 9;     // pixels of the pane to one of the picture's
+constexpr double values_from = 44;  // likewise
+constexpr int margin = 8;
+
+}  // namespace
+
+PicturePane::PicturePane(State& state, PictureFeed& feed, QWidget* parent)
+    : QWidget(parent), state_(state), feed_(feed) {
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::CrossCursor);
+    setMinimumSize(160, 120);
+    connect(&feed_, &PictureFeed::updated, this, &PicturePane::take_picture);
+    state_.observe([this](const Changes& changes) {
+        if (changes.document || changes.request == Request::fit_picture) {
+            fit();
+        } else if (changes.tree) {
+            show_chosen();
+        }
+        update();
+    });
+}
+
+void PicturePane::take_picture() {
+    const ShownPicture& shown = feed_.picture();
+    // The feed's cells stay where they are until it has others, which it tells first.
+    image_ = QImage(reinterpret_cast<const uchar*>(shown.cells.data()), shown.width, shown.height,
+                    shown.width * 4, QImage::Format_RGB32)
+                 .copy();
+    if (fitted_) {
+        fit();
+    }
+    update();
+}
+
+QSizeF PicturePane::picture_size() const {
+    if (!state_.document()) {
+        return {1, 1};
+    }
+    const Camera& camera = state_.document()->scene().camera;
+    return QSizeF(camera.width, camera.height);
+}
+
+void PicturePane::fit() {
+    const QSizeF size = picture_size();
+    scale_ = std::min((width() - 2 * margin) / size.width(),
+                      (height() - 2 * margin) / size.height());
+    scale_ = std::min(std::max(scale_, 1e-3), largest_scale);
+    origin_ = QPointF((width() - scale_ * size.width()) / 2,
+                      (height() - scale_ * size.height()) / 2);
+    fitted_ = true;
+    update();
+}
+
+/// The picture does not get lost outside the pane.
+void PicturePane::keep_in_place() {
+    const QSizeF size = picture_size() * scale_;
+    const auto kept = [](double at, double length, double room) {
+        return length <= room ? (room - length) / 2 : std::clamp(at, room - length, 0.0);
+    };
+    origin_ = {kept(origin_.x(), size.width(), width()),
+               kept(origin_.y(), size.height(), height())};
+}
+
+void PicturePane::zoom(double factor, QPointF about) {
+    const QSizeF size = picture_size();
+    const double whole = std::min(width() / size.width(), height() / size.height());
+    const double scale =
+        std::clamp(scale_ * factor, std::min(whole * 0.9, largest_scale), largest_scale);
+    origin_ = about + (origin_ - about) * (scale / scale_);
+    scale_ = scale;
+    fitted_ = false;
+    keep_in_place();
+    update();
+}
+
+/// Moves the picture when the chosen pixel has left the pane.
+void PicturePane::show_chosen() {
+    const QPointF at = place_of(state_.pixel());
+    const double room = std::min(40.0, std::min(width(), height()) / 4.0);
+    const QPointF inside(std::clamp(at.x(), room, width() - room),
+                         std::clamp(at.y(), room, height() - room));
+    if (!fitted_ && at != inside) {
+        origin_ += inside - at;
+        keep_in_place();
+    }
+}
+
+std::optional<Pixel> PicturePane::pixel_at(QPointF place) const {
+    const QPointF in = (place - origin_) / scale_;
+    const Pixel pixel{static_cast<int>(std::floor(in.x())), static_cast<int>(std::floor(in.y()))};
+    return state_.document() && state_.document()->contains(pixel) ? std::optional(pixel)
+                                                                   : std::nullopt;
+}
+
+QRectF PicturePane::rect_of(Pixel pixel) const {
+    return {origin_ + QPointF(pixel.i, pixel.j) * scale_, QSizeF(scale_, scale_)};
+}
+
+QPointF PicturePane::place_of(Pixel pixel) const { return rect_of(pixel).center(); }
+
+void PicturePane::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const Palette& palette = palette_of(state_.look().theme);
+    painter.fillRect(rect(), qt(mixed(palette.window, palette.text, 0.08)));
+    if (!state_.document() || image_.isNull()) {
+        return;
+    }
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ < 1.5);
+    const double cell = scale_ * feed_.picture().stride;
+    painter.drawImage(QRectF(origin_, QSizeF(image_.width() * cell, image_.height() * cell)),
+                      image_);
+    if (scale_ >= grid_from) {
+        draw_grid(painter);
+    }
+    if (scale_ >= values_from) {
+        draw_values(painter);
+    }
+    draw_cross(painter);
+}
+
+void PicturePane::draw_grid(QPainter& painter) const {
+    const QSizeF size = picture_size() * scale_;
+    painter.setPen(QPen(QColor(128, 128, 128, 70), 1));
+    const double first_x = origin_.x() + std::floor(-origin_.x() / scale_) * scale_;
+    for (double x = first_x; x < std::min<double>(width(), origin_.x() + size.width());
+         x += scale_) {
+        painter.drawLine(QPointF(x, origin_.y()), QPointF(x, origin_.y() + size.height()));
+    }
+    const double first_y = origin_.y() + std::floor(-origin_.y() / scale_) * scale_;
+    for (double y = first_y; y < std::min<double>(height(), origin_.y() + size.height());
+         y += scale_) {
+        painter.drawLine(QPointF(origin_.x(), y), QPointF(origin_.x() + size.width(), y));
+    }
+}
+
+/// The 8-bit values in each pixel that is large enough.
+void PicturePane::draw_values(QPainter& painter) const {
+    QFont font = painter.font();
+    font.setPixelSize(std::clamp(static_cast<int>(scale_ / 4.6), 9, 18));
+    painter.setFont(font);
+    const auto first = (QPointF(0, 0) - origin_) / scale_;
+    const auto last = (QPointF(width(), height()) - origin_) / scale_;
+    const Quantize quantize = state_.document()->scene().settings.quantize;
+    for (int j = static_cast<int>(first.y()); j <= static_cast<int>(last.y()); ++j) {
+        for (int i = static_cast<int>(first.x()); i <= static_cast<int>(last.x()); ++i) {
+            const auto intensity = feed_.intensity({i, j});
+            if (!intensity) {
+                continue;
+            }
+            const EightBit pixel = eight_bit(*intensity, quantize);
+            const auto [r, g, b] = pixel.value;
+            const bool bright = 2 * r + 5 * g + b > 8 * 128;
+            painter.setPen(bright ? QColor(0, 0, 0, 210) : QColor(255, 255, 255, 220));
+            painter.drawText(rect_of({i, j}), Qt::AlignCenter,
+                             QStringLiteral("%1\n%2\n%3").arg(r).arg(g).arg(b));
+        }
+    }
+}
+
+/// Dark within light, so that it shows on any colour.
+void PicturePane::draw_cross(QPainter& painter) const {
+    constexpr double least = 7, arm = 15;
+    QRectF box = rect_of(state_.pixel());
+    if (box.width() < least) {
+        const QPointF middle = box.center();
+        box = QRectF(middle - QPointF(least / 2, least / 2), QSizeF(least, least));
+    }
+    box.adjust(-1, -1, 1, 1);
+    const QPointF c = box.center();
+    const auto draw = [&](const QColor& colour, double width) {
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(box);
+        const double gap = 2;
+        painter.drawLine(QPointF(box.left() - gap, c.y()), QPointF(box.left() - arm, c.y()));
+        painter.drawLine(QPointF(box.right() + gap, c.y()), QPointF(box.right() + arm, c.y()));
+        painter.drawLine(QPointF(c.x(), box.top() - gap), QPointF(c.x(), box.top() - arm));
+        painter.drawLine(QPointF(c.x(), box.bottom() + gap), QPointF(c.x(), box.bottom() + arm));
+    };
+    painter.setRenderHint(QPainter::Antialiasing);
+    draw(QColor(255, 255, 255, 235), 3.6);
+    draw(QColor(16, 21, 27), 1.4);
+}
+
+void PicturePane::resizeEvent(QResizeEvent*) {
+    if (fitted_) {
+        fit();
+    } else {
+        keep_in_place();
+    }
+}
+
+void PicturePane::mousePressEvent(QMouseEvent* event) {
+    grabbed_ = event->localPos();
+    moving_ = event->button() != Qt::LeftButton;
+    if (const auto pixel = pixel_at(event->localPos()); pixel && !moving_) {
+        state_.pick(*pixel);
+    }
+}
+
+void PicturePane::mouseMoveEvent(QMouseEvent* event) {
+    const auto pixel = pixel_at(event->localPos());
+    if (event->buttons() != Qt::NoButton && moving_) {
+        origin_ += event->localPos() - grabbed_;
+        grabbed_ = event->localPos();
+        fitted_ = false;
+        keep_in_place();
+        update();
+    } else if (pixel && (event->buttons() & Qt::LeftButton)) {
+        state_.pick(*pixel);
+    }
+    Q_EMIT hovered(pixel);
+}
+
+void PicturePane::mouseReleaseEvent(QMouseEvent*) { moving_ = false; }
+
+void PicturePane::leaveEvent(QEvent*) { Q_EMIT hovered(std::nullopt); }
+
+void PicturePane::wheelEvent(QWheelEvent* event) {
+    zoom(std::pow(1.2, event->angleDelta().y() / 120.0), event->position());
+    event->accept();
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,72 @@
+#include "window/run.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QBuffer>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+
+#include "formats/output_file.h"
+#include "window/main_window.h"
+#include "window/scene_pane.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr qint64 longest_wait = 120'000;  // milliseconds for a picture
+
+/// Lets the window work until its picture is complete and its 3D view has shown it.
+void wait_until_drawn(MainWindow& window) {
+    QElapsedTimer time;
+    time.start();
+    while (!window.feed().done() && time.elapsed() < longest_wait) {
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+    }
+    const int frames = window.scene_pane().frames();
+    window.scene_pane().update();
+    for (int k = 0; k < 200 && window.scene_pane().frames() < frames + 1; ++k) {
+        QApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+    QApplication::processEvents();
+}
+
+void take_screenshot(MainWindow& window, const std::filesystem::path& file) {
+    wait_until_drawn(window);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    window.grab().toImage().convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
+    write_output(file.string(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+}  // namespace
+
+int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
+    // VTK draws through X11 alone; on other platforms of Qt the 3D view stays empty.
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+    format.setSamples(0);
+    QSurfaceFormat::setDefaultFormat(format);
+    // A screenshot has the size asked for on every display.
+    QApplication::setAttribute(options.screenshot ? Qt::AA_DisableHighDpiScaling
+                                                  : Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
+
+    const Opened opened{state.document(), state.pixel(), {}};
+    MainWindow window(state);
+    window.resize(options.width, options.height);
+    window.show();
+    if (opened.document) {
+        state.show(opened);
+    }
+    if (options.screenshot) {
+        take_screenshot(window, *options.screenshot);
+        return 0;
+    }
+    return QApplication::exec();
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "drawing/extent.h"
+#include "drawing/ray_paths.h"
+#include "drawing/scene_mesh.h"
+#include "view3d/scene3d.h"
+#include "window/picture_feed.h"
+
+namespace raytree::inspector {
+
+class SceneCanvas;
+class SceneOverlay;
+
+/// The 3D view: dragging turns it about, with the right button or Shift moves it, the wheel zooms,
+/// a click selects a ray.
+class ScenePane : public QWidget {
+    Q_OBJECT
+
+  public:
+    ScenePane(State& state, PictureFeed& feed, QWidget* parent = nullptr);
+    ~ScenePane() override;
+
+    /// Where a point is in the pane; none behind the viewer.
+    std::optional<QPointF> place_of(const Point3& p) const;
+    const std::vector<RayPath>& paths() const { return paths_; }
+    const View& view() const { return view_; }
+    /// How many frames have been drawn.
+    int frames() const { return frames_; }
+
+  protected:
+    void resizeEvent(QResizeEvent*) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    friend class SceneCanvas;
+
+    void obey(const Changes& changes);
+    void obey(Request request);
+    void take_document();
+    void take_tree();
+    void take_picture();
+    void look_from_side();
+    void look_through_camera();
+    void fit(const std::vector<Point3>& points);
+    void change_view(const View& view);
+    bool looks_from_the_eye() const;
+    void prepare_frame();
+    void redraw();
+    void drag(QPointF by, bool move);
+    void click(QPointF at);
+    void show_hint(QPointF at, QPoint global);
+    std::optional<std::size_t> ray_at(QPointF at) const;
+
+    State& state_;
+    PictureFeed& feed_;
+    Scene3d scene3d_;
+    SceneCanvas* canvas_ = nullptr;
+    SceneOverlay* overlay_ = nullptr;
+    View view_;
+    Extent extent_;
+    SceneMesh mesh_;
+    std::vector<RayPath> paths_;
+    bool stale_shapes_ = false;  ///< what the next frame has to be given anew
+    bool stale_rays_ = false;
+    bool stale_picture_ = false;
+    bool first_view_ = true;  ///< until the pane has its size
+    QPointF pressed_, last_;
+    bool dragged_ = false;
+    int frames_ = 0;
+};
+
+}  // namespace raytree::inspector

@@ -1,0 +1,78 @@
+#include "window/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+QString css(Ink ink) { return qt(ink).name(); }
+
+QString style_sheet(const Palette& p) {
+    QString sheet = QStringLiteral(R"(
+QMainWindow::separator { background: @window; width: 6px; height: 6px; }
+QDockWidget { color: @dim; font-weight: bold; }
+QDockWidget::title { background: @window; padding: 5px 4px 4px 6px; text-align: left; }
+QToolBar { background: @window; border: none; border-bottom: 1px solid @rule; padding: 3px 6px;
+           spacing: 1px; }
+QToolBar::separator { background: @rule; width: 1px; margin: 5px 6px; }
+QToolButton { color: @text; border: 1px solid transparent; border-radius: 4px; padding: 3px 7px; }
+QToolButton:hover { background: @hover; }
+QToolButton:pressed, QToolButton:checked { background: @checked; border-color: @rule; }
+QToolButton:disabled { color: @faint; }
+QMenuBar { background: @window; color: @text; }
+QMenuBar::item { background: transparent; padding: 4px 9px; border-radius: 4px; }
+QMenuBar::item:selected { background: @checked; }
+QStatusBar { background: @window; color: @text; border-top: 1px solid @rule; }
+QStatusBar::item { border: none; }
+QStatusBar QLabel { color: @text; padding: 1px 8px; }
+QTreeView, QTextBrowser { background: @panel; color: @text; border: 1px solid @rule; }
+QTreeView::item { padding: 1px 4px 1px 2px; }
+QHeaderView::section { background: @window; color: @dim; border: none;
+                       border-bottom: 1px solid @rule; padding: 4px 6px; font-weight: bold; }
+QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3px; }
+)");
+    const std::pair<const char*, Ink> names[] = {
+        {"@window", p.window},
+        {"@panel", p.panel},
+        {"@text", p.text},
+        {"@dim", p.dim_text},
+        {"@rule", p.rule},
+        {"@hover", mixed(p.window, p.text, 0.06)},
+        {"@checked", mixed(p.window, p.accent, 0.2)},
+        {"@faint", mixed(p.window, p.dim_text, 0.5)},
+    };
+    for (const auto& [name, ink] : names) {
+        sheet.replace(QLatin1String(name), css(ink));
+    }
+    return sheet;
+}
+
+}  // namespace
+
+void apply_theme(const Palette& p) {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QPalette colours;
+    colours.setColor(QPalette::Window, qt(p.window));
+    colours.setColor(QPalette::WindowText, qt(p.text));
+    colours.setColor(QPalette::Base, qt(p.panel));
+    colours.setColor(QPalette::AlternateBase, qt(mixed(p.panel, p.window, 0.5)));
+    colours.setColor(QPalette::Text, qt(p.text));
+    colours.setColor(QPalette::Button, qt(p.window));
+    colours.setColor(QPalette::ButtonText, qt(p.text));
+    colours.setColor(QPalette::ToolTipBase, qt(p.panel));
+    colours.setColor(QPalette::ToolTipText, qt(p.text));
+    colours.setColor(QPalette::Highlight, qt(p.accent));
+    colours.setColor(QPalette::HighlightedText, qt(Ink(0xFFFFFF)));
+    colours.setColor(QPalette::Link, qt(p.accent));
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+        colours.setColor(QPalette::Disabled, role, qt(mixed(p.window, p.dim_text, 0.5)));
+    }
+    QApplication::setPalette(colours);
+    qApp->setStyleSheet(style_sheet(p));
+}
+
+}  // namespace raytree::inspector
