@@ -76,7 +76,7 @@ f·I is multiplied by on the way to the pixel. Numbers have 4 digits; those with
 
 TEST_CASE("colours change nothing but the colours") {
     std::string coloured = write_tree_text(test::example_tree(), {.colour = true});
-    CHECK(contains(coloured, "\x1b["));
+    CHECK(contains(coloured, "\x1b[1;38;5;166mreflected ray\x1b[0m"));
     std::string plain;
     for (std::size_t k = 0; k < coloured.size(); ++k) {
         if (coloured[k] == '\x1b') {
