@@ -9,7 +9,7 @@ namespace {
 
 /// Chroma that sRGB can show at each quarter of the scale, where lightness and hue go evenly from
 /// one end to the other. The space is OKLab (Ottosson, 2020).
-constexpr std::array<double, 5> chroma = {0.10, 0.09, 0.088, 0.13, 0.17};
+constexpr std::array<double, 5> chroma = {0.11, 0.095, 0.088, 0.12, 0.14};
 constexpr double darkest = 0.22, lightest = 0.93;
 constexpr double violet = 295, yellow = 108;  // degrees of hue
 

@@ -86,7 +86,11 @@ void StyledText::paragraph(std::string_view prefix, std::string_view hanging, co
             word.text.erase(0, word.text.find_first_not_of(' '));
         }
         column += columns_of(word.text);
-        on_line.push_back(std::move(word));
+        if (!on_line.empty() && on_line.back().style == word.style) {
+            on_line.back().text += word.text;
+        } else {
+            on_line.push_back(std::move(word));
+        }
     }
     line(before, on_line);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "tree/given.h"
 #include "tree/ray_tree.h"
 
 /// The format raytree/1.0: one pixel's ray tree.
@@ -27,6 +28,8 @@ struct ReadTree {
     /// of hits, and a hit's kr and kt, which are known from the shares of its branches.
     RayTree<double> tree;
     std::vector<std::string> ids;  ///< of each ray of `tree`: what the file calls it
+    std::vector<Given> given;      ///< of each ray of `tree`: what the file says of it
+    std::vector<double> units;     ///< of each ray of `tree`: the length of its direction as given
     std::optional<Scene> scene;    ///< the one inside the file
     bool has_camera = false;       ///< whether the file gave the camera
     bool has_settings = false;

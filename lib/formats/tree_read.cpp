@@ -87,8 +87,9 @@ double read_direction(const OptionalMembers& in, Vec3<double>& direction) {
     return unit;
 }
 
-/// One ray; its parent is in `tree` already.
-TreeRay<double> read_ray(const ShapedRay& shaped, const RayTree<double>& tree, JsonReport& report) {
+/// One ray; its parent is in `tree` already. `unit` is the length of its direction as given.
+TreeRay<double> read_ray(const ShapedRay& shaped, const RayTree<double>& tree, double& unit,
+                         JsonReport& report) {
     const OptionalMembers in(*shaped.members, *shaped.place, report);
     TreeRay<double> ray;
     ray.id = tree.rays.size();
@@ -102,7 +103,7 @@ TreeRay<double> read_ray(const ShapedRay& shaped, const RayTree<double>& tree, J
         ray.origin = parent.hit ? parent.hit->point : parent.origin;
     }
     in.point("origin", ray.origin);
-    const double unit = read_direction(in, ray.direction);
+    unit = read_direction(in, ray.direction);
     in.colour("diffuse", ray.diffuse);
     in.colour("specular", ray.specular);
     if (ray.kind == RayKind::shadow) {
@@ -172,6 +173,24 @@ void read_pixel(const OptionalMembers& in, RayTree<double>& tree, JsonReport& re
     tree.pixel_j = static_cast<int>(pixel[1]);
 }
 
+/// What the file says of a ray; `null` says something only where it means that there is none.
+Given given_of(const ShapedRay& shaped) {
+    constexpr auto is_given = [](const Json& object, Field field) {
+        const auto member = object.find(word_of(field));
+        const bool may_be_null = field == Field::hit || field == Field::blocked_by;
+        return member != object.end() && (may_be_null || !member->is_null());
+    };
+    const auto hit = shaped.members->find("hit");
+    const bool has_hit = hit != shaped.members->end() && hit->is_object();
+    Given given;
+    for (std::size_t k = 0; k < field_count; ++k) {
+        const Field field = static_cast<Field>(k);
+        const bool of_hit = field >= Field::object && field <= Field::sin2_transmitted;
+        given[k] = of_hit ? has_hit && is_given(*hit, field) : is_given(*shaped.members, field);
+    }
+    return given;
+}
+
 /// The scene inside the file, whose places are those of a file of its own.
 Scene read_document(const Json& document, const std::filesystem::path& folder, JsonReport& report) {
     JsonReport own;
@@ -234,12 +253,15 @@ ReadTree read_tree_json(const std::string& text, const std::filesystem::path& fi
     read_head(in, file.parent_path(), report, out);
     const TreeShape shape = read_tree_shape(document, report);
     for (const ShapedRay& shaped : shape.rays) {
-        TreeRay<double> ray = read_ray(shaped, out.tree, report);
+        double unit = 1;
+        TreeRay<double> ray = read_ray(shaped, out.tree, unit, report);
         if (ray.parent) {
             complete_hit(out.tree, *ray.parent, ray);
         }
         out.tree.rays.push_back(std::move(ray));
         out.ids.push_back(shaped.id);
+        out.given.push_back(given_of(shaped));
+        out.units.push_back(unit);
         stop_at_mistakes(report, most_mistakes);
     }
     out.tree.intensity = out.tree.rays.front().intensity;

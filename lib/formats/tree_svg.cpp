@@ -16,6 +16,7 @@ using Box = DiagramBox;
 
 constexpr const char* ink = "#2B3440";
 constexpr const char* faint_ink = absent_look.text;
+constexpr double title_size = 15;
 constexpr double page_margin = 24;
 constexpr double header_height = 90;
 constexpr double legend_height = 78;
@@ -34,7 +35,10 @@ class Drawing {
     explicit Drawing(const RayTree<double>& tree) : tree_(tree), diagram_(diagram_of(tree)) {}
 
     std::string draw() {
-        const double width = std::max(diagram_.width, legend_width) + 2 * page_margin;
+        const std::string title = title_text();
+        const double title_width = 1.1 * text_width(title, title_size);
+        const double width =
+            std::max({diagram_.width, legend_width, title_width}) + 2 * page_margin;
         left_ = (width - diagram_.width) / 2;
         for (const Box& box : diagram_.boxes) {
             draw_edge(box);
@@ -42,7 +46,7 @@ class Drawing {
         for (const Box& box : diagram_.boxes) {
             draw_box(box);
         }
-        const std::string title = draw_header(width / 2);
+        draw_header(title, width / 2);
         const double legend_top = top_ + diagram_.height + 22;
         draw_legend(width / 2 - legend_width / 2, legend_top);
         return svg_.finish(width, legend_top + legend_height, title);
@@ -56,11 +60,14 @@ class Drawing {
     double card_y(const Box& box) const { return top_ + box.y + Sizes::label; }
     double bottom(const Box& box) const { return card_y(box) + box.card_height; }
 
-    std::string draw_header(double centre) {
-        const std::string title = "Ray tree of pixel (" + std::to_string(tree_.pixel_i) + ", " +
-                                  std::to_string(tree_.pixel_j) + ")" +
-                                  (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
-        svg_.text(centre, 24, title, {15, ink, true, false, "middle"});
+    std::string title_text() const {
+        return "Ray tree of pixel (" + std::to_string(tree_.pixel_i) + ", " +
+               std::to_string(tree_.pixel_j) + ")" +
+               (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
+    }
+
+    void draw_header(const std::string& title, double centre) {
+        svg_.text(centre, 24, title, {title_size, ink, true, false, "middle"});
         const TreeCounts& n = tree_.counts;
         const std::string counts = std::to_string(n.all()) + " rays: " + std::to_string(n.primary) +
                                    " primary, " + std::to_string(n.reflected) + " reflected, " +
@@ -68,8 +75,7 @@ class Drawing {
                                    std::to_string(n.shadow) + " shadow";
         const std::string bound =
             n.full_tree > 0 ? "; a full tree has " + number_text(n.full_tree) : "";
-        svg_.text(centre, 42, counts + bound, {11, faint_ink, false, false, "middle"});
-        return title;
+        svg_.text(centre, 42, counts + bound, {Sizes::font, faint_ink, false, false, "middle"});
     }
 
     /// From the bottom of the parent's frame to the label above the box.

@@ -1,6 +1,5 @@
 #include "formats/course_text.h"
 
-#include "formats/same_scene.h"
 #include "formats/support.h"
 
 namespace raytree {
@@ -113,7 +112,8 @@ TEST_CASE("what the course text format does not know is refused with line, colum
     CHECK_CONTAINS(refusal("SPHERE a" + rest + "SPHERE a" + rest),
                    "line 2, column 8: the SPHERE \"a\" is there twice, first on line 1");
     CHECK_CONTAINS(refusal("SPHERE a 0 0 0 1 0 1 1 1 1 0 0 0 0 1"), "must not be 0 along any axis");
-    CHECK_CONTAINS(refusal("SPHERE a 0 0 0 1 1 1 1 1 1 0 -1 0 0 1"), "found \"-1\", must be 0 or more");
+    CHECK_CONTAINS(refusal("SPHERE a 0 0 0 1 1 1 1 1 1 0 -1 0 0 1"),
+                   "found \"-1\", must be 0 or more");
     CHECK_CONTAINS(refusal("LIGHT"), "LIGHT needs a name");
     CHECK_CONTAINS(refusal("LIGHT l1 0 0 0 1 1\nRES 2 2"), "found the end of the line");
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "formats/same_scene.h"
 #include "formats/support.h"
 
 namespace raytree {

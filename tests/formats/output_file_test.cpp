@@ -1,5 +1,7 @@
 #include "formats/output_file.h"
 
+#include <fstream>
+
 #include "formats/support.h"
 
 namespace raytree {

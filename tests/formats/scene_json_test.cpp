@@ -1,6 +1,5 @@
 #include "formats/scene_json.h"
 
-#include "formats/same_scene.h"
 #include "formats/scene_file.h"
 #include "formats/support.h"
 

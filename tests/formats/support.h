@@ -2,17 +2,13 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/input_error.h"
+#include "scene/scene.h"
 
 /// What tests of file formats share.
 namespace raytree::test {
@@ -67,49 +63,7 @@ std::string text_of(const std::filesystem::path& file);
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                             std::string_view extension);
 
-inline ScratchFolder::ScratchFolder() {
-    static int count = 0;
-    folder_ = std::filesystem::temp_directory_path() /
-              ("raytree-test-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
-    std::filesystem::create_directories(folder_);
-}
-
-inline ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-}
-
-inline std::filesystem::path ScratchFolder::write(std::string_view name,
-                                                  std::string_view text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-}
-
-inline std::vector<std::string> ScratchFolder::files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-        names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
-inline std::string text_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
-                                                   std::string_view extension) {
-    std::vector<std::filesystem::path> files;
-    std::error_code missing;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
-        if (entry.path().string().ends_with(extension)) {
-            files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
+/// Whether two scenes are the same but for the order of their materials; `why` says where not.
+bool same_scene(const Scene& a, const Scene& b, std::string& why);
 
 }  // namespace raytree::test

@@ -58,7 +58,8 @@ TEST_CASE("where a format has no comments, a hash is a letter") {
 }
 
 TEST_CASE("a long word is shortened in messages") {
-    WordReader words(std::string(1000, 'x'), "f", WordReader::Comments::none);
+    const std::string long_word(1000, 'x');
+    WordReader words(long_word, "f", WordReader::Comments::none);
     const std::string text = test::refusal_of([&] { words.number("a number"); });
     CHECK(text.size() < 150);
     CHECK_CONTAINS(text, "xxx\"..., must be a finite number: a number");
