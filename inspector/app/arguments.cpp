@@ -1,6 +1,9 @@
 #include "arguments.h"
 
 #include <charconv>
+#include <sstream>
+
+#include "formats/output_file.h"
 
 namespace raytree::inspector {
 namespace {
@@ -24,6 +27,15 @@ std::pair<int, int> size_from(const std::string& text) {
     misuse("--size is WxH, each from 640 to 7680; found '" + text + "'");
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 Theme theme_from(const std::string& text) {
     if (text == "light" || text == "dark") {
         return text == "light" ? Theme::light : Theme::dark;
@@ -38,6 +50,8 @@ void take_option(Arguments& arguments, const std::string& option, const std::str
         arguments.scene = value;
     } else if (option == "--screenshot") {
         arguments.window.screenshot = value;
+    } else if (option == "--script") {
+        arguments.window.script = lines_of(read_input(value));
     } else if (option == "--size") {
         std::tie(arguments.window.width, arguments.window.height) = size_from(value);
     } else if (option == "--theme") {
@@ -93,6 +107,7 @@ SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.js
   --scene SCENE       the scene of a tree that does not hold it
   --theme light|dark  the colours of the window
   --size WxH          the size of the window; 1280x800 unless said otherwise
+  --script FILE       runs the commands in FILE, one to a line, such as: pixel.pick 320,240
   --screenshot FILE   draws the window, writes it as PNG, and ends
   --help, --version
 

@@ -55,9 +55,9 @@ class Builder {
     double radius_at(const RayPath& path, const Point3& p) const {
         const double pixel = pixel_at(p);
         const double share = 0.35 + 0.65 * std::sqrt(path.weight);
-        const double radius = radius_share * in_.extent.diagonal * share;
-        return std::clamp(radius, thinnest * pixel, thickest * pixel) *
-               (path.dashed() ? 0.7 : 1.0);
+        const double radius =
+            radius_share * in_.extent.diagonal * share * (path.dashed() ? 0.6 : 1.0);
+        return std::clamp(radius, thinnest * pixel, thickest * pixel);
     }
 
     TubeEnd end_at(const RayPath& path, double s, std::uint8_t alpha) const {

@@ -15,8 +15,17 @@ namespace {
 
 constexpr double triangle_budget = 250'000;
 
+/// See SceneMesh. `firmness` from 0 to 1.
+std::uint8_t alpha_of(double firmness, bool flat) {
+    return static_cast<std::uint8_t>(std::lround(127 * firmness) + (flat ? 128 : 0));
+}
+
 /// How an object looks: mostly its material's colour, glass and mirrors by tints of their own.
-Paint paint_of(const Material& material) {
+struct Coat {
+    Ink ink;
+    double firmness;
+};
+Coat coat_of(const Material& material) {
     const auto channel = [](double value) {
         return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
     };
@@ -27,12 +36,12 @@ Paint paint_of(const Material& material) {
     const double kt = largest_component(material.kt), kr = largest_component(material.kr);
     const double kd = largest_component(material.kd);
     if (kt > 0) {
-        return {mixed(ink, Ink(0x7FB3CF), 0.6), 34};
+        return {mixed(ink, Ink(0x7FB3CF), 0.6), 0.14};
     }
     if (kr > kd) {
-        return {mixed(ink, Ink(0x9AA9B8), 0.7), 84};
+        return {mixed(ink, Ink(0x9AA9B8), 0.7), 0.33};
     }
-    return {mixed(ink, Ink(0xB8C0C8), 0.15), 110};
+    return {mixed(ink, Ink(0xB8C0C8), 0.15), 0.43};
 }
 
 class Builder {
@@ -78,7 +87,10 @@ class Builder {
         if (object.transform) {
             map_.emplace(*object.transform);
         }
-        paint_ = paint_of(scene_.materials[object.material]);
+        const Coat coat = coat_of(scene_.materials[object.material]);
+        const bool flat = std::holds_alternative<Polygon>(object.shape);
+        firmness_ = coat.firmness;
+        paint_ = {coat.ink, alpha_of(firmness_, flat)};
         line_ = {mixed(paint_.ink, Ink(0x5A6673), 0.55), 150};
         ObjectFaces faces;
         faces.first = mesh_.faces.triangle_count();
@@ -88,7 +100,7 @@ class Builder {
         if (faces.count == 0) {
             return;
         }
-        measure(faces, first_point, std::holds_alternative<Polygon>(object.shape));
+        measure(faces, first_point, flat);
         mesh_.objects.push_back(faces);
     }
 
@@ -220,8 +232,7 @@ class Builder {
 
     void add_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
         const auto add = [&](const Point3& p) {
-            const auto alpha = static_cast<std::uint8_t>(std::lround(paint_.alpha * fade_at(p)));
-            return mesh_.faces.add_point(p, n, {paint_.ink, alpha});
+            return mesh_.faces.add_point(p, n, {paint_.ink, alpha_of(firmness_ * fade_at(p), true)});
         };
         const std::int32_t first = add(a);
         add(b);
@@ -231,7 +242,7 @@ class Builder {
     /// Halves the longest side until the facets are small enough to follow the fading.
     void add_fading(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
         const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
-        if (std::max({ab, bc, ca}) <= 0.12 * extent_.diagonal) {
+        if (std::max({ab, bc, ca}) <= 0.09 * extent_.diagonal) {
             if (fade_at(a) + fade_at(b) + fade_at(c) > 0) {
                 add_triangle(a, b, c, n);
             }
@@ -246,7 +257,7 @@ class Builder {
     /// 1 in the middle of the scene, 0 far from it.
     double fade_at(const Point3& p) const {
         const double distance = glm::length(p - extent_.seen.centre()) / extent_.diagonal;
-        const double s = std::clamp((1.05 - distance) / 0.45, 0.0, 1.0);
+        const double s = std::clamp((0.9 - distance) / 0.5, 0.0, 1.0);
         return s * s * (3 - 2 * s);
     }
 
@@ -277,6 +288,7 @@ class Builder {
     double finer_ = 1;
     SceneMesh mesh_;
     std::optional<AffineMap<double>> map_;
+    double firmness_ = 1;
     Paint paint_, line_;
 };
 

@@ -18,7 +18,8 @@ struct ObjectFaces {
 };
 
 /// A scene's shapes as they stand in the 3D view, built once for each scene. The alpha of a colour
-/// is how firm a shape is where it is looked at straight on.
+/// tells how firm a shape is where it is looked at straight on: from 0 to 127 that of a round shape,
+/// which gets firmer towards its rim, from 128 to 255 that of a flat one, which does not.
 struct SceneMesh {
     Mesh faces;
     Lines edges;  ///< of polygons

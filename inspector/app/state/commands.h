@@ -42,4 +42,8 @@ const Command* find_command(std::string_view id);
 /// an unknown id or a bad argument.
 void run_command(State& state, std::string_view id, std::string_view argument = {});
 
+/// A line of a script: a command's id and, after a blank, its argument. Empty lines and those that
+/// begin with # do nothing.
+void run_line(State& state, std::string_view line);
+
 }  // namespace raytree::inspector

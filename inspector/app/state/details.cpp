@@ -114,7 +114,7 @@ DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {
             }
         }
     }
-    Row sum = triple_row(ray.hit ? "= I" : "I, the background", ray.intensity);
+    Row sum = triple_row(ray.hit ? "= intensity" : "background", ray.intensity);
     sum.weight = Weight::strong;
     sum.swatch = ray.intensity;
     rows.push_back(std::move(sum));

@@ -42,6 +42,7 @@ struct Palette {
     Ink space_top, space_bottom;              ///< behind the 3D view
     Ink shape_line, camera, light;            ///< of things in it
     Ink selection;
+    double shape_strength;  ///< how firm see-through shapes are
     std::array<Ink, look_count> looks;
 
     const Ink& operator[](RayLook look) const { return looks[static_cast<std::size_t>(look)]; }

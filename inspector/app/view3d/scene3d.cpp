@@ -19,6 +19,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <string>
 
 namespace raytree::inspector {
 namespace {
@@ -82,12 +83,28 @@ struct Part {
     }
 };
 
-/// Firmer where a surface turns away from the viewer: alpha grows towards the rim.
-constexpr const char* rim_code =
+/// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the viewer
+/// it is firmer, and its colour turns into that of lines.
+std::string see_through_code(Ink line) {
+    const auto number = [](std::uint8_t value) { return std::to_string(value / 255.0); };
+    return "//VTK::Light::Impl\n"
+           "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
+           "  float firm = vertexColorVSOutput.a * 255.0 / 127.0 - (flat_shape ? 128.0/127.0 : 0.0);\n"
+           "  float turned = flat_shape ? 0.0 : 1.0 - abs(normalVCVSOutput.z);\n"
+           "  float rim = turned * turned;\n"
+           "  gl_FragData[0].a = clamp(firm * opacityUniform * (1.0 + 0.8 * rim) + 0.5 * rim * rim,\n"
+           "                           0.0, 1.0);\n"
+           "  gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3(" +
+           number(line.r) + "," + number(line.g) + "," + number(line.b) +
+           "), 0.75 * rim * rim);\n";
+}
+
+/// Only what goes on far beyond the view fades out.
+constexpr const char* solid_code =
     "//VTK::Light::Impl\n"
-    "  float facing = abs(normalVCVSOutput.z);\n"
-    "  float rim = (1.0 - facing) * (1.0 - facing);\n"
-    "  gl_FragData[0].a = clamp(opacity + (0.95 - opacity) * rim, 0.0, 1.0);\n";
+    "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
+    "  gl_FragData[0].a = flat_shape ? clamp(16.0 * (vertexColorVSOutput.a - 128.0/255.0), 0.0, 1.0)\n"
+    "                                : 1.0;\n";
 
 void set_background(vtkRenderer* renderer, const Palette& palette) {
     const auto& low = palette.space_bottom;
@@ -120,7 +137,7 @@ struct Scene3d::Parts {
     vtkNew<vtkRenderer> renderer;
     vtkNew<vtkTexture> texture;
     Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading;
-    bool rim = false;
+    Palette palette;
 
     void set_shading() {
         // Rays keep close to the colours of the legend; shapes are modelled by light.
@@ -133,16 +150,12 @@ struct Scene3d::Parts {
         }
     }
 
-    void set_rim(bool on) {
-        if (on == rim) {
-            return;
-        }
-        rim = on;
+    void set_shape_shader(ShapeStyle style) {
         vtkShaderProperty* const shader = shapes.actor->GetShaderProperty();
         shader->ClearAllFragmentShaderReplacements();
-        if (on) {
-            shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, rim_code, false);
-        }
+        shader->AddFragmentShaderReplacement(
+            "//VTK::Light::Impl", true,
+            style == ShapeStyle::solid ? solid_code : see_through_code(palette.shape_line), false);
     }
 };
 
@@ -174,14 +187,19 @@ Scene3d::~Scene3d() = default;
 
 vtkGenericOpenGLRenderWindow* Scene3d::window() const { return parts_->window; }
 
-void Scene3d::set_theme(const Palette& palette) { set_background(parts_->renderer, palette); }
+void Scene3d::set_theme(const Palette& palette) {
+    parts_->palette = palette;
+    set_background(parts_->renderer, palette);
+}
 
 void Scene3d::set_shapes(const SceneMesh& mesh, ShapeStyle style) {
     Parts& p = *parts_;
     p.shapes.set(mesh.faces);
     p.shapes.actor->SetVisibility(style != ShapeStyle::wire && !mesh.faces.triangles.empty());
     p.shapes.see_through(style == ShapeStyle::see_through);
-    p.set_rim(style == ShapeStyle::see_through);
+    p.shapes.actor->GetProperty()->SetOpacity(
+        style == ShapeStyle::see_through ? p.palette.shape_strength : 1);
+    p.set_shape_shader(style);
     p.edges.set(style == ShapeStyle::wire ? mesh.wires : mesh.edges);
 }
 

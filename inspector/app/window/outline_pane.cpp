@@ -3,8 +3,6 @@
 #include <QHeaderView>
 #include <algorithm>
 
-#include "window/qt_text.h"
-
 namespace raytree::inspector {
 namespace {
 
@@ -17,7 +15,7 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     : QTreeView(parent), state_(state), model_(new OutlineModel(this)) {
     setModel(model_);
     setUniformRowHeights(true);
-    setIndentation(16);
+    setIndentation(13);
     setAllColumnsShowFocus(true);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -36,11 +34,6 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
 
 void OutlinePane::show_tree() {
     following_ = true;
-    const Palette& colours = palette_of(state_.look().theme);
-    QPalette palette = this->palette();
-    palette.setColor(QPalette::Highlight, qt(mixed(colours.panel, colours.selection, 0.2)));
-    palette.setColor(QPalette::HighlightedText, qt(colours.text));
-    setPalette(palette);
     const Quantize quantize = state_.document() ? state_.document()->scene().settings.quantize
                                                 : Quantize::round;
     model_->show(state_.tree(), state_.look().ghosts, state_.look().theme, quantize);
@@ -84,8 +77,8 @@ void OutlinePane::size_columns() {
     const int t = metrics.horizontalAdvance(QStringLiteral("-1.234e-5")) + 12;
     const int intensity = metrics.horizontalAdvance(QStringLiteral("0.000  0.000  0.000")) + 42;
     const int rest = std::max(300, viewport()->width() - t - intensity);
-    setColumnWidth(OutlineModel::ray_column, static_cast<int>(rest * 0.34));
-    setColumnWidth(OutlineModel::met_column, static_cast<int>(rest * 0.24));
+    setColumnWidth(OutlineModel::ray_column, static_cast<int>(rest * 0.37));
+    setColumnWidth(OutlineModel::met_column, static_cast<int>(rest * 0.25));
     setColumnWidth(OutlineModel::t_column, t);
     setColumnWidth(OutlineModel::intensity_column, intensity);
 }

@@ -8,6 +8,7 @@
 #include <QSurfaceFormat>
 
 #include "formats/output_file.h"
+#include "state/commands.h"
 #include "window/main_window.h"
 #include "window/scene_pane.h"
 
@@ -42,12 +43,15 @@ void take_screenshot(MainWindow& window, const std::filesystem::path& file) {
 
 }  // namespace
 
-int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
-    // VTK draws through X11 alone; on other platforms of Qt the 3D view stays empty.
-    qputenv("QT_QPA_PLATFORM", "xcb");
+void prepare_qt() {
+    qputenv("QT_QPA_PLATFORM", "xcb");  // on other platforms of Qt the 3D view stays empty
     QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
     format.setSamples(0);
     QSurfaceFormat::setDefaultFormat(format);
+}
+
+int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
+    prepare_qt();
     // A screenshot has the size asked for on every display.
     QApplication::setAttribute(options.screenshot ? Qt::AA_DisableHighDpiScaling
                                                   : Qt::AA_EnableHighDpiScaling);
@@ -61,6 +65,10 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     window.show();
     if (opened.document) {
         state.show(opened);
+    }
+    QApplication::processEvents();  // the panes take their sizes
+    for (const std::string& line : options.script) {
+        run_line(state, line);
     }
     if (options.screenshot) {
         take_screenshot(window, *options.screenshot);

@@ -47,6 +47,7 @@ ScenePane::ScenePane(State& state, PictureFeed& feed, QWidget* parent)
     canvas_->setMouseTracking(true);
     canvas_->setFocusPolicy(Qt::StrongFocus);
     setFocusProxy(canvas_);
+    connect(canvas_, &QOpenGLWidget::frameSwapped, this, &ScenePane::drawn);
     overlay_ = new SceneOverlay(state_, view_, canvas_);
     setMinimumSize(240, 180);
     scene3d_.set_theme(palette_of(state_.look().theme));
@@ -91,12 +92,11 @@ void ScenePane::obey(Request request) {
     } else if (request == Request::fit_ray && state_.tree()) {
         std::vector<RayPath> chosen;
         for (const RayPath& path : paths_) {
-            if (path.ray == state_.selected()->id ||
-                state_.tree()->tree.rays[path.ray].parent == state_.selected()->id) {
+            if (path.ray == state_.selected()->id) {
                 chosen.push_back(path);
             }
         }
-        fit(points_of(chosen, extent_));
+        fit(points_of(chosen, extent_), 0.3);
     }
 }
 
@@ -135,7 +135,11 @@ void ScenePane::look_from_side() {
     view.target = extent_.seen.centre();
     view.eye = view.target + extent_.diagonal * (0.8 * camera.right().vec() -
                                                  0.85 * camera.forward().vec() + 0.45 * up);
+    // What is far off does not make all the rest small.
     std::vector<Point3> points = points_of(paths_, extent_);
+    std::erase_if(points, [&](const Point3& p) {
+        return glm::length(p - view.target) > 0.95 * extent_.diagonal;
+    });
     for (const Point3& corner : picture_corners(*state_.document(), extent_.plane_distance)) {
         points.push_back(corner);
     }
@@ -158,11 +162,13 @@ void ScenePane::look_through_camera() {
         wide = std::max(wide, std::abs(glm::dot(corner - view.eye, camera.right().vec())));
     }
     const double shape = static_cast<double>(view.width) / std::max(1, view.height);
-    view.fov_degrees = 2 * std::atan(std::max(high, wide / shape)) * 180 / std::numbers::pi;
+    constexpr double margin = 1.06;  // the frame of the picture is to be seen
+    view.fov_degrees =
+        2 * std::atan(margin * std::max(high, wide / shape)) * 180 / std::numbers::pi;
     change_view(view);
 }
 
-void ScenePane::fit(const std::vector<Point3>& points) {
+void ScenePane::fit(const std::vector<Point3>& points, double margin) {
     View view = view_;
     view.fov_degrees = side_fov;
     // The legend's strip is left free: fitted into a lower view, the aim then moved up by half of
@@ -170,7 +176,7 @@ void ScenePane::fit(const std::vector<Point3>& points) {
     const int strip = std::min(34, view.height / 6);
     view.height -= strip;
     view.fov_degrees *= static_cast<double>(view.height) / view_.height;
-    view = fitted(view, points);
+    view = fitted(view, points, margin);
     view.height = view_.height;
     view.fov_degrees = side_fov;
     change_view(panned(view, 0, strip / 2.0));

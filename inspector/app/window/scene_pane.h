@@ -30,6 +30,10 @@ class ScenePane : public QWidget {
     /// How many frames have been drawn.
     int frames() const { return frames_; }
 
+  Q_SIGNALS:
+    /// A frame is on the screen.
+    void drawn();
+
   protected:
     void resizeEvent(QResizeEvent*) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,7 +48,7 @@ class ScenePane : public QWidget {
     void take_picture();
     void look_from_side();
     void look_through_camera();
-    void fit(const std::vector<Point3>& points);
+    void fit(const std::vector<Point3>& points, double margin = 0.08);
     void change_view(const View& view);
     bool looks_from_the_eye() const;
     void prepare_frame();

@@ -30,6 +30,7 @@ QStatusBar { background: @window; color: @text; border-top: 1px solid @rule; }
 QStatusBar::item { border: none; }
 QStatusBar QLabel { color: @text; padding: 1px 8px; }
 QTreeView, QTextBrowser { background: @panel; color: @text; border: 1px solid @rule; }
+QTreeView { selection-background-color: @selected; selection-color: @text; }
 QTreeView::item { padding: 1px 4px 1px 2px; }
 QHeaderView::section { background: @window; color: @dim; border: none;
                        border-bottom: 1px solid @rule; padding: 4px 6px; font-weight: bold; }
@@ -43,6 +44,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
         {"@rule", p.rule},
         {"@hover", mixed(p.window, p.text, 0.06)},
         {"@checked", mixed(p.window, p.accent, 0.2)},
+        {"@selected", mixed(p.panel, p.selection, 0.2)},
         {"@faint", mixed(p.window, p.dim_text, 0.5)},
     };
     for (const auto& [name, ink] : names) {
