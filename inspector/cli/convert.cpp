@@ -19,24 +19,13 @@ struct Arguments {
     std::string output;
 };
 
-/// A scene names its meshes' files relative to itself, and those do not move with it.
-void miss_meshes(const Scene& scene, const std::filesystem::path& output) {
-    for (const Object& object : scene.objects) {
-        const auto* mesh = std::get_if<Mesh>(&object.shape);
-        if (mesh && extension_of(output) == "json" &&
-            !std::filesystem::exists(output.parent_path() / mesh->file)) {
-            say("warning: " + output.string() + " needs the mesh " + mesh->file +
-                ", which is not beside it; copy it there");
-        }
-    }
-}
-
 int convert(const Arguments& arguments) {
-    const LoadedScene loaded = arguments.scene.load();
-    for (const std::string& lost : save_scene(loaded.scene, arguments.output)) {
+    Scene scene = arguments.scene.load().scene;
+    relocate_meshes(scene, std::filesystem::path(arguments.scene.file).parent_path(),
+                    std::filesystem::path(arguments.output).parent_path());
+    for (const std::string& lost : save_scene(scene, arguments.output)) {
         say("not said in " + arguments.output + ": " + lost);
     }
-    miss_meshes(loaded.scene, arguments.output);
     return done;
 }
 

@@ -1,5 +1,6 @@
 #include "scene_arguments.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 
@@ -79,6 +80,12 @@ void add_precision(CLI::App& app, Precision& precision) {
               });
 }
 
-void say(const std::string& text) { std::cerr << "raytree: " << text << '\n'; }
+void say(const std::string& text) {
+    std::string line = "raytree: " + text;
+    // What a file says must not steer the terminal.
+    std::ranges::replace_if(
+        line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
+    std::cerr << line + '\n';
+}
 
 }  // namespace raytree::cli

@@ -2,6 +2,7 @@
 those of other people's tracers; and what bounds a tree that would grow forever."""
 
 import array
+import hashlib
 import json
 import os
 import random
@@ -61,14 +62,18 @@ def pictures(bench):
             shows_its_trees(bench, scene)
     sizes_and_kinds(bench)
     maps(bench)
+    converted(bench)
+    names_its_scene(bench)
 
 
 def same_for_all_threads(bench, scene):
     made = []
     for options in ("--threads 1", "--threads 4", "--threads 3 --counts counts.json"):
-        if must(bench, f"{scene.stem} {options}", f"render '{scene}' -o p.pfm --size 80x60 {options}"):
+        if must(bench, f"{scene.stem} {options}",
+                f"render '{scene}' -o p.pfm --size 80x60 {options}"):
             made.append(content(bench, "p.pfm"))
-    bench.check(f"{scene.stem}: the same on any number of threads, counted or not", len(set(made)) == 1)
+    bench.check(f"{scene.stem}: the same on any number of threads, counted or not",
+                len(set(made)) == 1)
 
 
 def shows_its_trees(bench, scene):
@@ -98,9 +103,10 @@ def sizes_and_kinds(bench):
         floats = read_pfm(content(bench, "p.pfm"))[2]
         exact = [255 * min(max(x, 0), 1) for x in floats]
         # A float on the border between two bytes may lie on the other side than its double.
-        off = [abs(byte - (x if scene == "course.txt" else x + 0.5) + 0.5) for byte, x in zip(pixels, exact)]
-        bench.check(f"{scene} in 8 bits", (width, height) in ((32, 24), (24, 24)) and max(off) < 0.5001,
-                    f"off by {max(off)}")
+        middle = 0 if scene == "course.txt" else 0.5
+        off = max(abs(byte + 0.5 - (x + middle)) for byte, x in zip(pixels, exact))
+        bench.check(f"{scene}: size", (width, height) in ((32, 24), (24, 24)))
+        bench.check(f"{scene} in 8 bits", off < 0.5001, f"off by {off}")
     must(bench, "PNG", "render scene.json -o p.png")
     bench.check("size of a PNG", content(bench, "p.png")[16:24] == struct.pack(">II", 32, 24))
 
@@ -124,6 +130,27 @@ def maps(bench):
     bench.check("map of rays against counts", sum(read_pfm(content(bench, "m.pfm"))[2]) == rays)
 
 
+def converted(bench):
+    """A scene in another format that can say all of it gives the same picture."""
+    for scene, other in (("ball.nff", "b.json"), ("course.txt", "c.json"), ("gem.obj", "g.json"),
+                         ("scene.json", "s.json"), ("mesh.json", "m.json"), ("b.json", "b.nff")):
+        must(bench, f"{scene} to {other}", f"convert {scene} {other} --size 24x16")
+        must(bench, scene, f"render {scene} -o 1.pfm --size 24x16")
+        must(bench, other, f"render {other} -o 2.pfm")
+        bench.check(f"{scene} looks like {other}",
+                    content(bench, "1.pfm") == content(bench, "2.pfm"))
+
+
+def names_its_scene(bench):
+    """A tree says which file it is of; with the scene inside, that scene gives the same tree."""
+    tree = tree_of(bench, "scene.json", (16, 12), "--embed-scene")
+    digest = hashlib.sha256(content(bench, "scene.json")).hexdigest()
+    bench.check("the scene's hash", tree["scene"]["sha256"] == digest)
+    bench.write("embedded.json", json.dumps(tree["scene"]["document"]))
+    again = tree_of(bench, "embedded.json", (16, 12))
+    bench.check("the scene inside", again and again["rays"] == tree["rays"])
+
+
 REASONS = ["light_behind_surface", "surface_unlit", "not_reflective", "not_transmissive",
            "total_internal_reflection", "max_depth", "low_intensity", "ray_budget",
            "no_intersection", "max_distance", "opaque"]
@@ -135,31 +162,33 @@ def ended_number(tree):
     return REASONS.index(max(leaves, key=lambda r: max(r["weight"]))["termination"])
 
 
-def measured(bench, command):
-    """Exit code, seconds, and the most memory it had, in MB."""
+def costs(bench, name, command, most_seconds, most_megabytes):
+    """The command succeeds in so much time and memory."""
     begin = time.perf_counter()
     process = subprocess.Popen([bench.raytree, *command.split()], cwd=bench.folder,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    return process.returncode, time.perf_counter() - begin, usage.ru_maxrss / 1024
+    seconds, megabytes = time.perf_counter() - begin, usage.ru_maxrss / 1024
+    bench.check(name, process.returncode == 0, f"exit code {process.returncode}")
+    bench.check(f"the cost of {name}",
+                bench.slow or (seconds < most_seconds and megabytes < most_megabytes),
+                f"{seconds:.1f} s, {megabytes:.0f} MB")
 
 
 def limits(bench):
     """A hall of mirrors 64 levels deep, two branches each, would have 10^19 rays."""
-    code, seconds, megabytes = measured(bench, "render hall.json -o hall.png --counts hall-counts.json")
-    skipped = json.loads(content(bench, "hall-counts.json"))["skipped"]
-    bench.check("a picture of the hall", code == 0 and skipped["ray_budget"] > 0, str(skipped))
-    bench.check("its cost", bench.slow or (seconds < 20 and megabytes < 100), f"{seconds} s, {megabytes} MB")
-    code, seconds, megabytes = measured(bench, "trace hall.json --pixel 1,1 -o /dev/null")
-    bench.check("a tree of a million rays", code == 0, f"exit code {code}")
-    bench.check("its cost", bench.slow or (seconds < 30 and megabytes < 2500), f"{seconds} s, {megabytes} MB")
+    costs(bench, "a picture of the hall", "render hall.json -o h.png --counts h.json", 20, 100)
+    skipped = json.loads(content(bench, "h.json"))["skipped"]
+    bench.check("its picture ends by the budget", skipped["ray_budget"] > 0, str(skipped))
+    costs(bench, "a tree of a million rays", "trace hall.json --pixel 1,1 -o /dev/null", 30, 2500)
     tree = tree_of(bench, "small-hall.json", (1, 1))
     reasons = {s["reason"] for r in tree["rays"] for s in r.get("skipped", [])}
     ended = {r.get("termination") for r in tree["rays"]}
     # Shadow rays are always traced, so that the rays on the way may go a little beyond.
-    bench.check("the budget of a small hall", 1000 <= len(tree["rays"]) <= 1000 + 65 * 2, len(tree["rays"]))
-    bench.check("its reason", "ray_budget" in reasons and "ray_budget" in ended, f"{reasons} {ended}")
+    count = len(tree["rays"])
+    bench.check("the budget of a small hall", 1000 <= count <= 1000 + 65 * 2, str(count))
+    bench.check("its reason", "ray_budget" in reasons & ended, f"{reasons} {ended}")
     done = bench.run("trace small-hall.json --pixel 1,1 --as text")
     bench.check("its outline", re.search(rb"ray_budget", done.stdout), done.stdout[:300])
 
@@ -177,7 +206,8 @@ def shared_data(bench):
         if not must(bench, name, f"render '{scene}' --size 513x513 -o p.png --counts c.json", 120):
             continue
         counts = json.loads(content(bench, "c.json"))
-        bench.check(f"{name}: primary hits", abs(counts["primary"]["hits"] - hits) <= 2, str(counts))
+        found = counts["primary"]["hits"]
+        bench.check(f"{name}: primary hits", abs(found - hits) <= 2, f"{found}, not {hits}")
         for kind, expected in zip(("reflected", "refracted", "shadow"), others):
             found = counts[kind]["rays"]
             bench.check(f"{name}: {kind} rays", abs(found - expected) <= 0.015 * expected,

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import inputs
 import pictures
+import terminal
 from cases import COMMANDS
 
 SKIPPED = 77
@@ -70,24 +71,25 @@ class Bench:
         if done.returncode != code:
             wrong.append(f"exit code {done.returncode}, not {code}")
         for stream, text, pattern in (("output", done.stdout, out), ("error", done.stderr, err)):
-            text = text.decode("latin-1" if text.startswith(b"\x89PNG") else "utf-8")
+            text = text.decode("latin-1" if text.startswith(b"\x89PNG") else "utf-8", "replace")
             if not (re.search(pattern, text) if pattern else text == ""):
                 wrong.append(f"standard {stream} is not {pattern!r} but {text[:600]!r}")
         if touched != set(written.split()) or not before.keys() <= after.keys():
             wrong.append(f"wrote {sorted(touched)}")
-        return self.check(name, not wrong, f"raytree {command}\n        " + "\n        ".join(wrong))
+        return self.check(name, not wrong, "\n        ".join([f"raytree {command}", *wrong]))
 
 
 def commands(bench):
     for name, command, code, out, err, *written in COMMANDS:
         bench.expect(name, command, code, out, err, *written)
     started = min(timed(bench) for _ in range(20))
-    bench.check("--version in under 10 ms", bench.slow or started < 0.010, f"{1000 * started:.1f} ms")
+    bench.check("--version in under 10 ms", bench.slow or started < 0.010,
+                f"{1000 * started:.1f} ms")
     with open("/dev/full", "wb") as full:
         done = subprocess.run([bench.raytree, "info", "scene.json"], cwd=bench.folder, stdout=full,
                               stderr=subprocess.PIPE)
-    bench.check("standard output is full", done.returncode == 2 and b"standard output" in done.stderr,
-                str(done))
+    bench.check("standard output is full",
+                done.returncode == 2 and b"standard output" in done.stderr, str(done))
 
 
 def timed(bench):
@@ -101,8 +103,8 @@ def bad_input(bench):
         bench.write("bad.json", text)
         for command in ("info bad.json", "trace bad.json --pixel 0,0", "render bad.json -o bad.png",
                         "convert bad.json bad.nff"):
-            bench.expect(f"{name}: {command}", command, 2, "", rf"(?s)^raytree: bad\.json: .*{message}"
-                         if not message.startswith("(?s)") else message)
+            bench.expect(f"{name}: {command}", command, 2, "",
+                         rf"(?s)^raytree: bad\.json: .*?(?:{message})")
     for name, text, message in inputs.BAD_FOREIGN:
         bench.write(name, text)
         bench.expect(name, f"info {name}", 2, "", message)
@@ -110,7 +112,8 @@ def bad_input(bench):
 
 
 GROUPS = {"commands": commands, "bad_input": bad_input, "limits": pictures.limits,
-          "pictures": pictures.pictures, "shared_data": pictures.shared_data}
+          "pictures": pictures.pictures, "shared_data": pictures.shared_data,
+          "terminal": terminal.terminal}
 
 
 def main():
