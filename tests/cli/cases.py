@@ -162,7 +162,6 @@ COMMANDS = [
     ("convert with a size", "convert scene.json s.json --size 4x3", 0, NONE, NONE, "s.json"),
     ("convert a mesh elsewhere", "convert mesh.json folder.png/m.json",
      0, NONE, NONE, "folder.png/m.json"),
-    ("info of the mesh elsewhere", "info folder.png/m.json", 0, r"1 mesh", NONE),
     ("convert nowhere", "convert scene.json", 2, NONE, r"OUT is required"),
     ("convert to obj", "convert scene.json s.obj", 2, NONE, r"s\.obj: .*not written as \.obj"),
     ("convert to another kind", "convert scene.json s.pov", 2, NONE, r"s\.pov: .*\.json, \.nff"),
