@@ -1,0 +1,126 @@
+#include <algorithm>
+
+#include "check/replay_parts.h"
+
+namespace raytree::check {
+/// Diffuse and specular light of all lights.
+Replay::Taint Replay::lights(At at, const Step& step, Terms& terms, Taint taint) {
+    Taint all = taint;
+    for (std::size_t k = 0; k < place_.lights.size(); ++k) {
+        all = first_of(all, light(at, step, k, terms, taint));
+    }
+    Taint diffuse = all, specular = all;
+    const double largest =
+        std::max(largest_component(terms.diffuse), largest_component(terms.specular));
+    const double scale = std::max(darkest_, largest);
+    see(at, Field::diffuse, terms.diffuse, scale, diffuse);
+    see(at, Field::specular, terms.specular, scale, specular);
+    const bool both =
+        submission_.gives(at.ray, Field::diffuse) && submission_.gives(at.ray, Field::specular);
+    return both ? first_of(diffuse, specular) : first_of(all, first_of(diffuse, specular));
+}
+
+Replay::Taint Replay::light(At at, const Step& step, std::size_t light, Terms& terms, Taint taint) {
+    Shine shine;
+    shine.light = light;
+    shine.ready = &place_.lights[light];
+    const Towards towards = laws_.towards(place_, step, light);
+    shine.towards = towards.towards;
+    shine.distance = towards.distance;
+    shine.cosine = inner(step.normal, shine.towards);
+    const bool sent = laws_.faces(step, shine) && step.ready->lit;
+    const std::size_t ray = shadow_child(at.ray, light);
+    const std::uint64_t key = key_of_light(at.ray, light);
+    note(key, sent ? 1 : 0);
+    const bool near_tie = light < most_lights_told_apart && may_be(key, sent ? 0 : 1);
+    if (!sent) {
+        // A shadow ray for a light that cannot shine here is only idle.
+        const bool idle = ray == none || (is_zero(submission_.tree.rays[ray].diffuse) &&
+                                          is_zero(submission_.tree.rays[ray].specular));
+        if (idle || near_tie) {
+            return clean;
+        }
+        Finding finding;
+        start_finding(finding, ray);
+        finding.problem = Problem::extra;
+        finding.reason = step.ready->lit ? "light_behind_surface" : "surface_unlit";
+        terms.diffuse += submission_.tree.rays[ray].diffuse;
+        terms.specular += submission_.tree.rays[ray].specular;
+        return report(std::move(finding));
+    }
+    ++rays_;
+    Taint own = taint;
+    const bool wanted = place_.scene().settings.shadows != ShadowMode::none;
+    if (ray != none) {
+        own = shadow_ray(
+            {ray, true_child(at.truth, RayKind::shadow, place_.scene().lights[light].name)}, step,
+            shine, taint);
+    } else {
+        const Passage passage = laws_.shadow(place_, step, shine);
+        shine.transmittance = passage.transmittance;
+        if (submission_.has_shadow_rays && wanted && !near_tie) {
+            Finding finding;
+            start_finding(finding, at.ray);
+            finding.problem = Problem::missing;
+            finding.kind = RayKind::shadow;
+            finding.light = place_.scene().lights[light].name;
+            own = report(std::move(finding));
+        }
+    }
+    Spectrum diffuse = laws_.diffuse(place_, step, shine);
+    Spectrum specular = laws_.specular(place_, step, shine);
+    if (ray != none) {
+        const At there{ray,
+                       true_child(at.truth, RayKind::shadow, place_.scene().lights[light].name)};
+        const double scale =
+            std::max(darkest_, std::max(largest_component(diffuse), largest_component(specular)));
+        Taint second = own;
+        see(there, Field::diffuse, diffuse, scale, own);
+        see(there, Field::specular, specular, scale, second);
+        own = first_of(own, second);
+    }
+    terms.diffuse += diffuse;
+    terms.specular += specular;
+    return own;
+}
+
+/// The ray towards the light as the submission has it.
+Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint taint) {
+    Vec origin = laws_.start(place_, step, RayKind::shadow);
+    see(at, Field::origin, origin, reach(step), taint);
+    see(at, Field::direction, shine.towards, 1, taint);
+    if (shine.distance < Real<double>::infinity) {
+        see(at, Field::distance, shine.distance, largest_component(step.point) + shine.distance,
+            taint);
+    }
+    const Passage passage = laws_.shadow(place_, step, shine);
+    const auto code = [](PrimitiveId id) {
+        return id == no_primitive ? std::int64_t{-1} : static_cast<std::int64_t>(id);
+    };
+    note(key_of(at.ray, Field::blocked_by), code(passage.blocker));
+    shine.transmittance = passage.transmittance;
+    if (submission_.gives(at.ray, Field::blocked_by)) {
+        const auto& given = submission_.tree.rays[at.ray].shadow->blocked_by;
+        const bool blocked = passage.blocker != no_primitive;
+        // Which of several blockers stops the light is of no consequence.
+        const bool same = given.has_value() == blocked;
+        const auto found = given ? names_.find(given->object) : std::nullopt;
+        const bool stopped = given.has_value();
+        ++compared_;
+        if (!same &&
+            !may_be(key_of(at.ray, Field::blocked_by), found ? code(*found) : std::int64_t{-1})) {
+            decide(at, Field::blocked_by,
+                   {code(passage.blocker), blocked ? names_.of(passage.blocker) : ""},
+                   {stopped ? -3 : -1, stopped ? given->object : ""}, taint);
+        }
+        if (!same) {
+            shine.transmittance = Spectrum(stopped ? 0.0 : 1.0);
+        }
+    }
+    if (submission_.gives(at.ray, Field::transmittance)) {
+        see(at, Field::transmittance, shine.transmittance, 1, taint);
+    }
+    return taint;
+}
+
+}  // namespace raytree::check
