@@ -4,7 +4,6 @@
 #include "command.h"
 #include "formats/scene_file.h"
 #include "scene_arguments.h"
-#include "values.h"
 
 namespace raytree::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include "tree/record.h"
 
-#include <cmath>
 #include <string>
 
 #include "scene/input_error.h"
+#include "scene/plan.h"
 #include "trace/tracer.h"
 
 namespace raytree {
@@ -97,7 +97,7 @@ template <class T> class TreeRecorder {
     RayTree<T>& tree_;
 };
 
-template <class T> TreeCounts count(const RayTree<T>& tree, std::size_t lights) {
+template <class T> TreeCounts count(const RayTree<T>& tree, const Scene& scene) {
     TreeCounts counts;
     for (const TreeRay<T>& ray : tree.rays) {
         std::size_t* const by_kind[] = {&counts.primary, &counts.reflected, &counts.refracted,
@@ -105,9 +105,8 @@ template <class T> TreeCounts count(const RayTree<T>& tree, std::size_t lights) 
         ++*by_kind[static_cast<std::size_t>(ray.kind)];
         counts.levels = max_of(counts.levels, ray.level);
     }
-    counts.lights = lights;
-    counts.full_tree =
-        static_cast<double>(lights + 1) * (std::ldexp(1.0, tree.settings.max_depth) - 1);
+    counts.lights = scene.lights.size();
+    counts.full_tree = full_tree_rays(scene);
     return counts;
 }
 
@@ -161,7 +160,7 @@ template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
     TreeRecorder<T> recorder(world, tree);
     tree.intensity = Tracer<T, TreeRecorder<T>>(world, recorder).trace_pixel(i, j);
     check_finite(tree);
-    tree.counts = count(tree, scene.lights.size());
+    tree.counts = count(tree, scene);
     tree.counts.intersection_tests = recorder.tests.tests;
     return tree;
 }

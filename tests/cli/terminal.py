@@ -39,6 +39,6 @@ def terminal(bench):
 
     shown = at_terminal(bench, "render scene.json -o p.png", "stderr")
     bench.check("no bar for quick work", shown == "", repr(shown))
-    shown = at_terminal(bench, "render hall.json -o p.png --size 6x6 --threads 1", "stderr")
+    shown = at_terminal(bench, "render hall.json -o p.png --size 3x3 --threads 1", "stderr")
     bench.check("a bar for slow work, wiped away",
                 re.fullmatch(r"(\rrendering \[#*\.*\] +\d+ %)+\r\x1b\[K", shown), repr(shown[:300]))
