@@ -122,9 +122,9 @@ void NffReader::view(const Word& word) {
     for (std::size_t k = 0; k < names.size(); ++k) {
         if (!given[k] && names[k] != "hither") {
             const Word next = words_.peek();
-            words_.fail(next, "\"" + std::string(names[k]) +
-                                  "\" is missing in the view v, which \"" + std::string(next.text) +
-                                  "\" ends");
+            const std::string end =
+                next.text.empty() ? "" : ", which ends at \"" + std::string(next.text) + "\"";
+            words_.fail(next, "\"" + std::string(names[k]) + "\" is missing in the view v" + end);
         }
     }
     set_window(angle_word, angle);
