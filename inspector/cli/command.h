@@ -8,6 +8,7 @@ namespace raytree::cli {
 
 /// Exit codes: what every program of the project returns.
 inline constexpr int done = 0;
+inline constexpr int found_wrong = 1;  ///< what was looked at is wrong
 inline constexpr int misuse_or_bad_input = 2;
 
 struct Command {
@@ -18,6 +19,7 @@ struct Command {
 Command trace_command(CLI::App& program);
 Command render_command(CLI::App& program);
 Command info_command(CLI::App& program);
+Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 
 }  // namespace raytree::cli

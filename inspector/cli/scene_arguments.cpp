@@ -56,6 +56,10 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
     app.add_option("SCENE", arguments.file, "a scene: .json, .nff, .txt (course text) or .obj")
         ->option_text(" ")
         ->required();
+    add_scene_options(app, arguments);
+}
+
+void add_scene_options(CLI::App& app, SceneArguments& arguments) {
     add_overrides(app, arguments.options);
     add_value(app, "--scene-format", "json|nff|txt|obj",
               "the scene's format where its name does not say it", [&](const std::string& text) {

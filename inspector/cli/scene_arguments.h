@@ -19,6 +19,8 @@ struct SceneArguments {
 };
 
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
+/// The same without the scene's name, for commands that are about something else.
+void add_scene_options(CLI::App& app, SceneArguments& arguments);
 
 enum class Precision { single, twice, reference };
 
