@@ -27,8 +27,10 @@ void open_first(State& state, const Arguments& arguments) {
         if (!opened.document->contains(*arguments.pixel)) {
             const Camera& camera = opened.document->scene().camera;
             throw InputError("", "--pixel",
-                             text_of(*arguments.pixel) + " lies outside the picture; allowed are "
-                             "0,0 to " + text_of(Pixel{camera.width - 1, camera.height - 1}));
+                             text_of(*arguments.pixel) +
+                                 " lies outside the picture; allowed are "
+                                 "0,0 to " +
+                                 text_of(Pixel{camera.width - 1, camera.height - 1}));
         }
         opened.pixel = arguments.pixel;
     }
@@ -49,9 +51,10 @@ int run(int argc, char** argv) {
     State state;
     open_first(state, arguments);
     if (!display_opens()) {
-        std::fputs("raytree-inspector: there is no display to open a window on (DISPLAY); "
-                   "xvfb-run gives one to programs on machines without\n",
-                   stderr);
+        std::fputs(
+            "raytree-inspector: there is no display to open a window on (DISPLAY); "
+            "xvfb-run gives one to programs on machines without\n",
+            stderr);
         return no_display;
     }
     state.change_look([&](Look& look) { look.theme = arguments.theme; });

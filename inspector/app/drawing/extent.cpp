@@ -109,7 +109,7 @@ Extent extent_of(const Document& document) {
     }
     add_shapes(document.world(), extent.seen);
     extent.diagonal = extent.seen.diagonal();
-    extent.plane_distance = std::max(std::min(0.42 * middle, 0.75 * nearest), 0.05 * middle);
+    extent.plane_distance = std::max(std::min(0.34 * middle, 0.7 * nearest), 0.05 * middle);
     extent.far_distance = std::min(quantile(seen.depths, 0.9), 2 * middle);
     return extent;
 }

@@ -24,8 +24,9 @@ struct Span3 {
 struct Extent {
     Span3 seen;
     double diagonal = 1;
-    double plane_distance = 1;  ///< from the eye, where the picture stands in front of what it shows
-    double far_distance = 1;    ///< from the eye, beyond most of what is seen
+    double plane_distance =
+        1;                    ///< from the eye, where the picture stands in front of what it shows
+    double far_distance = 1;  ///< from the eye, beyond most of what is seen
 };
 Extent extent_of(const Document& document);
 

@@ -6,7 +6,7 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr double farthest_light = 1.1;  // from the middle, of the diagonal
+constexpr double sun_distance = 0.42;  // of a directional light's arrows, of the diagonal
 constexpr double normal_length = 0.085;
 
 class Builder {
@@ -125,7 +125,7 @@ Point3 place_of(const Light& light, const Extent& extent) {
         return distance <= most ? point->position : middle + to * (most / distance);
     }
     const Point3& direction = std::get<DirectionalLight>(light.kind).direction;
-    return middle - glm::normalize(direction) * (farthest_light / 2 * extent.diagonal);
+    return middle - glm::normalize(direction) * (sun_distance * extent.diagonal);
 }
 
 Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent) {

@@ -16,10 +16,10 @@ struct Paint {
 };
 
 struct Mesh {
-    std::vector<float> points;   ///< x, y, z
-    std::vector<float> normals;  ///< x, y, z, unit
-    std::vector<std::uint8_t> colours;      ///< r, g, b, alpha
-    std::vector<std::int32_t> triangles;    ///< three places of points each
+    std::vector<float> points;            ///< x, y, z
+    std::vector<float> normals;           ///< x, y, z, unit
+    std::vector<std::uint8_t> colours;    ///< r, g, b, alpha
+    std::vector<std::int32_t> triangles;  ///< three places of points each
 
     std::size_t triangle_count() const { return triangles.size() / 3; }
     std::int32_t add_point(const Point3& p, const Point3& normal, const Paint& paint);

@@ -36,8 +36,7 @@ bool is_convex(const std::vector<Point3>& vertices, const Point3& normal) {
     // areas is more than its own.
     double fan = 0;
     for (std::size_t k = 1; k + 1 < n; ++k) {
-        const Point3 area =
-            glm::cross(vertices[k] - vertices[0], vertices[k + 1] - vertices[0]);
+        const Point3 area = glm::cross(vertices[k] - vertices[0], vertices[k + 1] - vertices[0]);
         if (glm::dot(area, normal) < 0) {
             return false;
         }

@@ -107,8 +107,8 @@ class Builder {
 
     void add_piece(const RayPath& path, double from, double to, std::uint8_t alpha, int sides) {
         const std::uint8_t first = alpha_at(path, from, alpha), last = alpha_at(path, to, alpha);
-        add_tube(mesh_for(std::min(first, last)), end_at(path, from, first),
-                 end_at(path, to, last), sides);
+        add_tube(mesh_for(std::min(first, last)), end_at(path, from, first), end_at(path, to, last),
+                 sides);
     }
 
     void add_arrow(const RayPath& path, std::uint8_t alpha) {

@@ -12,14 +12,15 @@ constexpr double escaped_length = 0.25;
 /// A light farther away than this is not drawn at its place; rays to it fade like escaped ones.
 constexpr double far_away = 3;
 
-double share(const TreeRay<double>& ray) {
-    return std::clamp(largest_component(ray.weight), 0.0, 1.0);
+/// A shadow ray weighs what the ray does from whose hit it goes out.
+double drawn_weight(const PixelTree& tree, const TreeRay<double>& ray) {
+    const TreeRay<double>& bearer = ray.shadow ? tree.tree.rays[*ray.parent] : ray;
+    return std::clamp(largest_component(bearer.weight), 0.0, 1.0);
 }
 
 RayPath shadow_path(const PixelTree& tree, const TreeRay<double>& ray, const Extent& extent) {
-    const TreeRay<double>& parent = tree.tree.rays[*ray.parent];
-    RayPath path{ray.id,        look_of(ray),      ray.origin, {},
-                 share(parent), RayPath::End::light, false};
+    RayPath path{ray.id, look_of(ray), ray.origin, {}, drawn_weight(tree, ray), RayPath::End::light,
+                 false};
     double length = 0;
     if (ray.shadow->blocked_by) {
         path.end = RayPath::End::blocked;
@@ -38,7 +39,8 @@ RayPath path_of(const PixelTree& tree, const TreeRay<double>& ray, const Extent&
     if (ray.shadow) {
         return shadow_path(tree, ray, extent);
     }
-    RayPath path{ray.id, look_of(ray), ray.origin, {}, share(ray), RayPath::End::hit, false};
+    RayPath path{ray.id, look_of(ray), ray.origin, {}, drawn_weight(tree, ray), RayPath::End::hit,
+                 false};
     if (ray.hit) {
         path.to = ray.hit->point;
         return path;
@@ -84,20 +86,26 @@ std::optional<std::pair<ScreenPoint, ScreenPoint>> on_screen(const RayPath& path
 
 std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent,
                                const std::set<RayKind>& hidden, std::size_t most) {
-    std::vector<RayPath> paths;
+    std::vector<const TreeRay<double>*> rays;
     for (const TreeRay<double>& ray : tree.tree.rays) {
         if (!hidden.contains(ray.kind)) {
-            paths.push_back(path_of(tree, ray, extent));
+            rays.push_back(&ray);
         }
     }
-    if (paths.size() > most) {
-        const auto heavier = [](const RayPath& a, const RayPath& b) {
-            return a.weight != b.weight ? a.weight > b.weight : a.ray < b.ray;
+    if (rays.size() > most) {
+        const auto heavier = [&](const TreeRay<double>* a, const TreeRay<double>* b) {
+            const double x = drawn_weight(tree, *a), y = drawn_weight(tree, *b);
+            return x != y ? x > y : a->id < b->id;
         };
-        std::nth_element(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(most),
-                         paths.end(), heavier);
-        paths.resize(most);
-        std::ranges::sort(paths, {}, &RayPath::ray);
+        std::nth_element(rays.begin(), rays.begin() + static_cast<std::ptrdiff_t>(most), rays.end(),
+                         heavier);
+        rays.resize(most);
+        std::ranges::sort(rays, {}, [](const TreeRay<double>* ray) { return ray->id; });
+    }
+    std::vector<RayPath> paths;
+    paths.reserve(rays.size());
+    for (const TreeRay<double>* const ray : rays) {
+        paths.push_back(path_of(tree, *ray, extent));
     }
     return paths;
 }

@@ -36,12 +36,12 @@ Coat coat_of(const Material& material) {
     const double kt = largest_component(material.kt), kr = largest_component(material.kr);
     const double kd = largest_component(material.kd);
     if (kt > 0) {
-        return {mixed(ink, Ink(0x7FB3CF), 0.6), 0.14};
+        return {mixed(ink, Ink(0x7FB3CF), 0.6), 0.18};
     }
     if (kr > kd) {
         return {mixed(ink, Ink(0x9AA9B8), 0.7), 0.33};
     }
-    return {mixed(ink, Ink(0xB8C0C8), 0.15), 0.43};
+    return {mixed(ink, Ink(0xB8C0C8), 0.35), 0.43};
 }
 
 class Builder {
@@ -106,7 +106,9 @@ class Builder {
 
     void measure(ObjectFaces& faces, std::size_t first_point, bool is_polygon) const {
         const auto& points = mesh_.faces.points;
-        const auto at = [&](std::size_t k) { return Point3(points[k], points[k + 1], points[k + 2]); };
+        const auto at = [&](std::size_t k) {
+            return Point3(points[k], points[k + 1], points[k + 2]);
+        };
         Span3 box{at(first_point), at(first_point)};
         for (std::size_t k = first_point; k < points.size(); k += 3) {
             box.add(at(k));
@@ -232,7 +234,8 @@ class Builder {
 
     void add_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
         const auto add = [&](const Point3& p) {
-            return mesh_.faces.add_point(p, n, {paint_.ink, alpha_of(firmness_ * fade_at(p), true)});
+            return mesh_.faces.add_point(p, n,
+                                         {paint_.ink, alpha_of(firmness_ * fade_at(p), true)});
         };
         const std::int32_t first = add(a);
         add(b);
@@ -292,45 +295,10 @@ class Builder {
     Paint paint_, line_;
 };
 
-/// Large flat shapes stand behind all others as long as these lie between them and the viewer.
-bool is_behind_the_rest(const ObjectFaces& object, const Point3& middle, const Point3& eye) {
-    return glm::dot(middle - object.centre, object.normal) *
-               glm::dot(eye - object.centre, object.normal) >
-           0;
-}
-
 }  // namespace
 
 SceneMesh scene_mesh(const Document& document, const Extent& extent) {
     return Builder(document, extent).build();
-}
-
-std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,
-                                           const Point3& eye) {
-    const Point3 middle = extent.seen.centre();
-    struct Place {
-        int layer;  ///< 0 behind the rest, 2 in front of it
-        double distance;
-        const ObjectFaces* object;
-    };
-    std::vector<Place> order;
-    for (const ObjectFaces& object : mesh.objects) {
-        const int layer =
-            !object.flat ? 1 : is_behind_the_rest(object, middle, eye) ? 0 : 2;
-        order.push_back({layer, glm::length(object.centre - eye), &object});
-    }
-    std::ranges::sort(order, [](const Place& a, const Place& b) {
-        return a.layer != b.layer ? a.layer < b.layer : a.distance > b.distance;
-    });
-    std::vector<std::int32_t> triangles;
-    triangles.reserve(mesh.faces.triangles.size());
-    for (const Place& place : order) {
-        const auto from = mesh.faces.triangles.begin() +
-                          static_cast<std::ptrdiff_t>(3 * place.object->first);
-        triangles.insert(triangles.end(), from,
-                         from + static_cast<std::ptrdiff_t>(3 * place.object->count));
-    }
-    return triangles;
 }
 
 }  // namespace raytree::inspector

@@ -13,13 +13,13 @@ struct ObjectFaces {
     std::size_t first = 0;  ///< of the triangles
     std::size_t count = 0;
     Point3 centre{0, 0, 0};
-    bool flat = false;        ///< a polygon that is large beside the rest
-    Point3 normal{0, 0, 0};   ///< of a flat one
+    bool flat = false;       ///< a polygon that is large beside the rest
+    Point3 normal{0, 0, 0};  ///< of a flat one
 };
 
 /// A scene's shapes as they stand in the 3D view, built once for each scene. The alpha of a colour
-/// tells how firm a shape is where it is looked at straight on: from 0 to 127 that of a round shape,
-/// which gets firmer towards its rim, from 128 to 255 that of a flat one, which does not.
+/// tells how firm a shape is where it is looked at straight on: from 0 to 127 that of a round
+/// shape, which gets firmer towards its rim, from 128 to 255 that of a flat one, which does not.
 struct SceneMesh {
     Mesh faces;
     Lines edges;  ///< of polygons

@@ -8,9 +8,7 @@
 namespace raytree::inspector {
 namespace {
 
-double half_height(const View& view) {
-    return std::tan(view.fov_degrees * std::numbers::pi / 360);
-}
+double half_height(const View& view) { return std::tan(view.fov_degrees * std::numbers::pi / 360); }
 
 /// Points behind the viewer are treated as if this far in front, relative to the target.
 constexpr double nearest = 1e-3;

@@ -10,7 +10,8 @@ namespace raytree::inspector {
 
 using Point3 = Vec3<double>;
 
-/// A perspective view. `up` need not be perpendicular to the line of sight; orbiting turns about it.
+/// A perspective view. `up` need not be perpendicular to the line of sight; orbiting turns about
+/// it.
 struct View {
     Point3 eye{0, 0, 5};
     Point3 target{0, 0, 0};

@@ -17,7 +17,7 @@ void open(State& state, std::string_view file) { state.show(open_file(file)); }
 
 void reload(State& state, std::string_view) {
     Opened opened = open_file(state.document()->file());
-    if (!opened.pixel && opened.document->contains(state.pixel())) {
+    if (opened.document->contains(state.pixel())) {
         opened.pixel = state.pixel();
     }
     state.show(opened);
@@ -96,15 +96,14 @@ template <RayKind kind> bool kind_is_shown(const State& state) {
     return !state.look().hidden.contains(kind);
 }
 
-template <bool Look::* field> void flip(State& state, std::string_view) {
+template <bool Look::*field> void flip(State& state, std::string_view) {
     state.change_look([](Look& look) { look.*field = !(look.*field); });
 }
-template <bool Look::* field> bool is_on(const State& state) { return state.look().*field; }
+template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
 
 void switch_theme(State& state, std::string_view) {
-    state.change_look([](Look& look) {
-        look.theme = look.theme == Theme::light ? Theme::dark : Theme::light;
-    });
+    state.change_look(
+        [](Look& look) { look.theme = look.theme == Theme::light ? Theme::dark : Theme::light; });
 }
 bool is_dark(const State& state) { return state.look().theme == Theme::dark; }
 
@@ -116,8 +115,17 @@ constexpr Command table[] = {
      nullptr, nullptr, "Open"},
     {"file.reload", "File", "Read again", "F5 Ctrl+R", "Reads the open file again.", none, reload,
      has_scene, nullptr, "Reload"},
-    {"file.quit", "File", "Quit", "Ctrl+Q", "Ends the program.", none, ask<Request::quit>, nullptr,
-     nullptr, {}, true},
+    {"file.quit",
+     "File",
+     "Quit",
+     "Ctrl+Q",
+     "Ends the program.",
+     none,
+     ask<Request::quit>,
+     nullptr,
+     nullptr,
+     {},
+     true},
 
     {"pixel.pick", "", "Choose pixel", "", "Shows the ray tree of pixel I,J.", Argument::pixel,
      pick, has_scene},
@@ -129,29 +137,47 @@ constexpr Command table[] = {
      has_scene},
     {"pixel.down", "Pixel", "One down", "Down", "Chooses the pixel below.", none, move_pixel<0, 1>,
      has_scene},
-    {"pixel.far_left", "Pixel", "Ten to the left", "Shift+Left",
-     "Chooses the pixel ten to the left.", none, move_pixel<-10, 0>, has_scene, nullptr, {}, true},
+    {"pixel.far_left",
+     "Pixel",
+     "Ten to the left",
+     "Shift+Left",
+     "Chooses the pixel ten to the left.",
+     none,
+     move_pixel<-10, 0>,
+     has_scene,
+     nullptr,
+     {},
+     true},
     {"pixel.far_right", "Pixel", "Ten to the right", "Shift+Right",
      "Chooses the pixel ten to the right.", none, move_pixel<10, 0>, has_scene},
     {"pixel.far_up", "Pixel", "Ten up", "Shift+Up", "Chooses the pixel ten above.", none,
      move_pixel<0, -10>, has_scene},
     {"pixel.far_down", "Pixel", "Ten down", "Shift+Down", "Chooses the pixel ten below.", none,
      move_pixel<0, 10>, has_scene},
-    {"pixel.fit_picture", "Pixel", "Whole picture", "0", "Shows all of the picture.", none,
-     ask<Request::fit_picture>, has_scene, nullptr, {}, true},
+    {"pixel.fit_picture",
+     "Pixel",
+     "Whole picture",
+     "0",
+     "Shows all of the picture.",
+     none,
+     ask<Request::fit_picture>,
+     has_scene,
+     nullptr,
+     {},
+     true},
 
     {"ray.select", "", "Select ray", "", "Selects the ray of this number.", Argument::ray, select,
      has_tree},
     {"ray.previous", "Ray", "Step back", "B", "Selects the ray that was traced before this one.",
      none, go<previous_ray>, can_go<previous_ray>, nullptr, "Back"},
-    {"ray.next", "Ray", "Step forward", "N", "Selects the ray that is traced after this one.",
-     none, go<next_ray>, can_go<next_ray>, nullptr, "Step"},
+    {"ray.next", "Ray", "Step forward", "N", "Selects the ray that is traced after this one.", none,
+     go<next_ray>, can_go<next_ray>, nullptr, "Step"},
     {"ray.parent", "Ray", "Parent", "P", "Selects the ray from whose hit this one was sent.", none,
      go<parent_ray>, can_go<parent_ray>, nullptr, "Parent", true},
     {"ray.child", "Ray", "First child", "C", "Selects the first ray sent from this one's hit.",
      none, go<child_ray>, can_go<child_ray>, nullptr, "Child"},
-    {"ray.sibling", "Ray", "Next of the same hit", "M", "Selects the next ray sent from the same hit.",
-     none, go<sibling_ray>, can_go<sibling_ray>},
+    {"ray.sibling", "Ray", "Next of the same hit", "M",
+     "Selects the next ray sent from the same hit.", none, go<sibling_ray>, can_go<sibling_ray>},
     {"ray.primary", "Ray", "Primary ray", "Home", "Selects the primary ray: the whole tree.", none,
      go<primary_ray>, has_tree},
 
@@ -166,8 +192,17 @@ constexpr Command table[] = {
     {"view.fit_ray", "View", "Fit the selected ray", "R",
      "Moves so that the selected ray and its hit fill the view.", none, ask<Request::fit_ray>,
      has_tree, nullptr, "Fit ray"},
-    {"shapes.see_through", "View", "See-through shapes", "X", "Draws shapes see-through.", none,
-     draw_shapes<ShapeStyle::see_through>, nullptr, shapes_are<ShapeStyle::see_through>, {}, true},
+    {"shapes.see_through",
+     "View",
+     "See-through shapes",
+     "X",
+     "Draws shapes see-through.",
+     none,
+     draw_shapes<ShapeStyle::see_through>,
+     nullptr,
+     shapes_are<ShapeStyle::see_through>,
+     {},
+     true},
     {"shapes.solid", "View", "Solid shapes", "Shift+X", "Draws shapes solid.", none,
      draw_shapes<ShapeStyle::solid>, nullptr, shapes_are<ShapeStyle::solid>},
     {"shapes.wire", "View", "Wire shapes", "W", "Draws shapes as wires.", none,

@@ -1,6 +1,7 @@
 #include "state/details.h"
 
 #include <cmath>
+#include <map>
 
 #include "state/numbers.h"
 #include "tree/explain.h"
@@ -51,8 +52,7 @@ DetailSection hit_of(const TreeHit<double>& hit) {
     if (!own_material) {
         rows.push_back(text_row("material", hit.material));
     }
-    rows.push_back(text_row("side", hit.side == Side::front ? "front: the ray comes from outside"
-                                                            : "back: the ray comes from inside"));
+    rows.push_back(text_row("side", hit.side == Side::front ? "front" : "back"));
     rows.push_back(number_row("t", hit.t));
     rows.push_back(heading_row({"x", "y", "z"}));
     rows.push_back(triple_row("point", hit.point));
@@ -133,15 +133,36 @@ DetailSection share_of(const TreeRay<double>& ray) {
     return section;
 }
 
+/// As a sentence: with a capital and a full stop.
+std::string sentence(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
+    return text + ".";
+}
+
+/// Why the ray ended, and each ray that was not sent; lights with the same reason in one sentence.
 DetailSection endings_of(const PixelTree& tree, const TreeRay<double>& ray) {
     DetailSection section{"Where it ends", {}, {}};
     if (ray.termination) {
-        section.sentences.push_back("Ended: " + ended_text(tree.tree, ray) + ".");
+        section.sentences.push_back(sentence(ended_text(tree.tree, ray)));
+    }
+    std::map<Reason, std::string> lights;
+    for (const Skipped& skipped : ray.skipped) {
+        if (skipped.kind == RayKind::shadow) {
+            std::string& names = lights[skipped.reason];
+            names += (names.empty() ? "" : ", ") + skipped.light;
+        }
+    }
+    for (const auto& [reason, names] : lights) {
+        section.sentences.push_back("No shadow ray to " + names + ": " +
+                                    std::string(text_of(reason).sentence) + ".");
     }
     for (const Skipped& skipped : ray.skipped) {
-        const std::string target = skipped.light.empty() ? "" : " to " + skipped.light;
-        section.sentences.push_back("No " + std::string(word_of(skipped.kind)) + " ray" + target +
-                                    ": " + skipped_text(tree.tree, ray, skipped) + ".");
+        if (skipped.kind != RayKind::shadow && !told_by_termination(ray, skipped)) {
+            section.sentences.push_back("No " + std::string(word_of(skipped.kind)) +
+                                        " ray: " + skipped_text(tree.tree, ray, skipped) + ".");
+        }
     }
     return section;
 }
@@ -202,8 +223,7 @@ std::vector<DetailSection> details_of(const PixelTree& tree, std::size_t id) {
 
 std::string title_of(const TreeRay<double>& ray) {
     const std::string kind(word_of(ray.kind));
-    return reference(ray.id) + " " + kind + " ray" +
-           (ray.shadow ? " to " + ray.shadow->light : "");
+    return reference(ray.id) + " " + kind + " ray" + (ray.shadow ? " to " + ray.shadow->light : "");
 }
 
 std::string value_text(const Rgb<double>& intensity, Quantize quantize) {
@@ -226,12 +246,10 @@ std::string pixel_text(const RayTree<double>& tree) {
 
 std::string counts_text(const RayTree<double>& tree) {
     const TreeCounts& n = tree.counts;
-    const auto plural = [](std::size_t count, const char* noun) {
-        return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-    };
-    return plural(n.all(), "ray") + ": " + std::to_string(n.primary) + " primary, " +
-           std::to_string(n.reflected) + " reflected, " + std::to_string(n.refracted) +
-           " refracted, " + std::to_string(n.shadow) + " shadow   ·   full tree: (" +
+    const auto number = [](std::size_t count) { return grouped(static_cast<double>(count)); };
+    return number(n.all()) + (n.all() == 1 ? " ray: " : " rays: ") + number(n.primary) +
+           " primary, " + number(n.reflected) + " reflected, " + number(n.refracted) +
+           " refracted, " + number(n.shadow) + " shadow   ·   full tree: (" +
            std::to_string(n.lights) + " + 1)(2^" + std::to_string(tree.settings.max_depth) +
            " − 1) = " + grouped(n.full_tree);
 }

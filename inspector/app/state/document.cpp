@@ -74,14 +74,15 @@ bool near(const Rgb<double>& a, const Rgb<double>& b) {
 std::string comparison(const ReadTree& read, const Document& document, Pixel pixel) {
     const RayTree<double> own = record_tree(document.world(), pixel.i, pixel.j);
     const RayTree<double>& theirs = read.tree;
-    const bool same = near(own.intensity, theirs.intensity) &&
-                      own.rays.size() == theirs.rays.size();
+    const bool same =
+        near(own.intensity, theirs.intensity) && own.rays.size() == theirs.rays.size();
     if (same) {
         return "The tree was traced anew from its scene; it agrees with the file.";
     }
-    return "Shown is the tree that raytree traces: " + std::to_string(own.rays.size()) +
-           " rays, " + triple_text(own.intensity) + ". The file's own is different: " +
-           std::to_string(theirs.rays.size()) + " rays, " + triple_text(theirs.intensity) + ".";
+    return "Shown is the tree that raytree traces: " + std::to_string(own.rays.size()) + " rays, " +
+           triple_text(own.intensity) +
+           ". The file's own is different: " + std::to_string(theirs.rays.size()) + " rays, " +
+           triple_text(theirs.intensity) + ".";
 }
 
 Opened open_tree(const std::string& text, const fs::path& file,
@@ -90,8 +91,8 @@ Opened open_tree(const std::string& text, const fs::path& file,
     Opened opened;
     opened.pixel = Pixel{read.tree.pixel_i, read.tree.pixel_j};
     const bool embedded = read.scene.has_value();
-    opened.document = std::make_shared<Document>(
-        embedded ? file : scene_of_tree.value_or(file), scene_of(read, file, scene_of_tree));
+    opened.document = std::make_shared<Document>(embedded ? file : scene_of_tree.value_or(file),
+                                                 scene_of(read, file, scene_of_tree));
     if (!opened.document->contains(*opened.pixel)) {
         throw InputError(file.string(), "/pixel",
                          "pixel " + text_of(*opened.pixel) + " lies outside the scene's picture");
@@ -113,13 +114,12 @@ Pixel pixel_from(std::string_view text) {
             return pixel;
         }
     }
-    throw InputError("", "", "a pixel is written I,J, column and row from 0, such as 320,240; found '" +
-                                 std::string(text) + "'");
+    throw InputError("", "",
+                     "a pixel is written I,J, column and row from 0, such as 320,240; found '" +
+                         std::string(text) + "'");
 }
 
-std::string text_of(Pixel pixel) {
-    return std::to_string(pixel.i) + "," + std::to_string(pixel.j);
-}
+std::string text_of(Pixel pixel) { return std::to_string(pixel.i) + "," + std::to_string(pixel.j); }
 
 Document::Document(std::filesystem::path file, LoadedScene loaded)
     : file_(std::move(file)), loaded_(std::move(loaded)), world_(loaded_.scene) {}

@@ -23,7 +23,7 @@ std::vector<std::string> aligned(std::span<const double> values, int digits) {
     for (const double value : values) {
         largest = std::max(largest, std::abs(value));
     }
-    const bool plain = largest == 0 || (largest >= 1e-2 && largest < 1e6);
+    const bool plain = largest == 0 || (largest >= 1e-3 && largest < 1e6);
     const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
     std::vector<std::string> texts;
     for (const double value : values) {

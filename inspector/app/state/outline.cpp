@@ -1,5 +1,7 @@
 #include "state/outline.h"
 
+#include <algorithm>
+
 #include "state/numbers.h"
 #include "tree/explain.h"
 
@@ -7,61 +9,6 @@ namespace raytree::inspector {
 namespace {
 
 constexpr RayKind order[] = {RayKind::shadow, RayKind::reflected, RayKind::refracted};
-
-class Builder {
-  public:
-    Builder(const PixelTree& tree, bool ghosts) : tree_(tree), ghosts_(ghosts) {
-        outline_.row_of_ray.resize(tree.tree.rays.size());
-    }
-
-    Outline build() {
-        add({});
-        // Rows are visited as they are added: a tree may be deeper than the call stack.
-        for (std::size_t row = 0; row < outline_.rows.size(); ++row) {
-            if (!outline_.rows[row].skipped) {
-                add_children(row);
-            }
-        }
-        return std::move(outline_);
-    }
-
-  private:
-    std::size_t add(OutlineRow row) {
-        const std::size_t place = outline_.rows.size();
-        if (!row.skipped) {
-            outline_.row_of_ray[row.ray] = place;
-        }
-        outline_.rows.push_back(std::move(row));
-        return place;
-    }
-
-    void add_child(std::size_t parent, std::size_t ray, std::optional<std::size_t> skipped) {
-        const std::size_t place = outline_.rows[parent].children.size();
-        const std::size_t child = add({ray, skipped, parent, place, {}});
-        outline_.rows[parent].children.push_back(child);
-    }
-
-    void add_children(std::size_t row) {
-        const std::size_t id = outline_.rows[row].ray;
-        const TreeRay<double>& ray = tree_.tree.rays[id];
-        for (const RayKind kind : order) {
-            for (const std::size_t child : tree_.children[id]) {
-                if (tree_.tree.rays[child].kind == kind) {
-                    add_child(row, child, std::nullopt);
-                }
-            }
-            for (std::size_t k = 0; ghosts_ && k < ray.skipped.size(); ++k) {
-                if (ray.skipped[k].kind == kind && !told_by_termination(ray, ray.skipped[k])) {
-                    add_child(row, id, k);
-                }
-            }
-        }
-    }
-
-    const PixelTree& tree_;
-    bool ghosts_;
-    Outline outline_;
-};
 
 std::string named(RayKind kind, const std::string& light) {
     return std::string(word_of(kind)) + (light.empty() ? "" : " → " + light);
@@ -76,7 +23,58 @@ std::string what_became(const TreeRay<double>& ray) {
 
 }  // namespace
 
-Outline outline_of(const PixelTree& tree, bool ghosts) { return Builder(tree, ghosts).build(); }
+Outline::Outline(std::shared_ptr<const PixelTree> tree, bool ghosts)
+    : tree_(std::move(tree)), ghosts_(ghosts) {
+    if (tree_) {
+        rows_.emplace_back();
+    }
+}
+
+const std::vector<std::size_t>& Outline::children_of(std::size_t row) const {
+    if (rows_[row].children) {
+        return *rows_[row].children;
+    }
+    std::vector<std::size_t> children;
+    if (!rows_[row].row.skipped) {
+        const std::size_t id = rows_[row].row.ray;
+        const TreeRay<double>& ray = tree_->tree.rays[id];
+        for (const RayKind kind : order) {
+            for (const std::size_t child : tree_->children[id]) {
+                if (tree_->tree.rays[child].kind == kind) {
+                    add_child(row, children, child, std::nullopt);
+                }
+            }
+            for (std::size_t k = 0; ghosts_ && k < ray.skipped.size(); ++k) {
+                if (ray.skipped[k].kind == kind && !told_by_termination(ray, ray.skipped[k])) {
+                    add_child(row, children, id, k);
+                }
+            }
+        }
+    }
+    return rows_[row].children.emplace(std::move(children));
+}
+
+void Outline::add_child(std::size_t parent, std::vector<std::size_t>& children, std::size_t ray,
+                        std::optional<std::size_t> skipped) const {
+    const std::size_t row = rows_.size();
+    rows_.push_back({{ray, skipped, parent, children.size()}, std::nullopt});
+    children.push_back(row);
+}
+
+std::size_t Outline::row_of(std::size_t ray) const {
+    std::vector<std::size_t> way;  // from the ray up to the primary one, which is left out
+    for (std::size_t at = ray; tree_->tree.rays[at].parent; at = *tree_->tree.rays[at].parent) {
+        way.push_back(at);
+    }
+    std::size_t row = 0;
+    for (auto next = way.rbegin(); next != way.rend(); ++next) {
+        const auto& children = children_of(row);
+        row = *std::ranges::find_if(children, [&](std::size_t child) {
+            return rows_[child].row.ray == *next && !rows_[child].row.skipped;
+        });
+    }
+    return row;
+}
 
 OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row) {
     const TreeRay<double>& ray = tree.tree.rays[row.ray];
@@ -96,7 +94,8 @@ OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row) {
         texts.intensity = rgb_text(ray.diffuse + ray.specular);
         return texts;
     }
-    texts.met = ray.hit ? ray.hit->object + (ray.hit->side == Side::back ? ", back" : "") : "nothing";
+    texts.met =
+        ray.hit ? ray.hit->object + (ray.hit->side == Side::back ? ", back" : "") : "nothing";
     texts.t = ray.hit ? number_text(ray.hit->t) : "";
     texts.intensity = rgb_text(ray.intensity);
     texts.ended = ended_text(tree.tree, ray);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,24 +14,41 @@ namespace raytree::inspector {
 struct OutlineRow {
     std::size_t ray = 0;                 ///< itself, or the one that it would have been sent from
     std::optional<std::size_t> skipped;  ///< of a ghost: place in that ray's list
-    std::size_t parent = 0;              ///< place in Outline::rows; of the first, itself
+    std::size_t parent = 0;              ///< its row; of the first, itself
     std::size_t place = 0;               ///< among its siblings
-    std::vector<std::size_t> children;
 };
 
-/// The tree as rows for an outline: level by level, the children of a row in the order of
-/// computation, ghosts where they would have stood.
-struct Outline {
-    std::vector<OutlineRow> rows;
-    std::vector<std::size_t> row_of_ray;
-};
+/// The tree as rows for an outline, ghosts where the rays would have stood. Rows come into being as
+/// they are asked for: of a tree of a million rays, few are ever looked at.
+class Outline {
+  public:
+    Outline() = default;
+    Outline(std::shared_ptr<const PixelTree> tree, bool ghosts);
 
-Outline outline_of(const PixelTree& tree, bool ghosts);
+    bool empty() const { return rows_.empty(); }
+    /// Row 0 is the primary ray.
+    const OutlineRow& row(std::size_t row) const { return rows_[row].row; }
+    /// In the order of computation.
+    const std::vector<std::size_t>& children_of(std::size_t row) const;
+    std::size_t row_of(std::size_t ray) const;
+
+  private:
+    struct Kept {
+        OutlineRow row;
+        std::optional<std::vector<std::size_t>> children;  ///< once asked for
+    };
+    void add_child(std::size_t parent, std::vector<std::size_t>& children, std::size_t ray,
+                   std::optional<std::size_t> skipped) const;
+
+    std::shared_ptr<const PixelTree> tree_;
+    bool ghosts_ = true;
+    mutable std::deque<Kept> rows_;
+};
 
 /// What the columns say.
 struct OutlineTexts {
-    std::string ray;        ///< "refracted"; "shadow → key"
-    std::string met;        ///< "glass ball, back"; "reaches the light"; "blocked by floor"
+    std::string ray;  ///< "refracted"; "shadow → key"
+    std::string met;  ///< "glass ball, back"; "reaches the light"; "blocked by floor"
     std::string t;
     std::string intensity;  ///< of a shadow ray: what it adds
     std::string ended;      ///< why it went no further, or was not sent

@@ -44,15 +44,21 @@ const LookText& text_of(RayLook look) {
 
 const Palette& palette_of(Theme theme) {
     static constexpr Palette light = {
-        Ink(0xEEF1F5), Ink(0xFFFFFF), Ink(0x1F2933), Ink(0x5B6875), Ink(0xD3DAE2),
-        Ink(0x2F6FB3), Ink(0xFDFDFE), Ink(0xDFE5EC), Ink(0x64717E), Ink(0x2B3440),
-        Ink(0xE8B100), Ink(0xD6336C), 0.85,
-        {Ink(0x2B3440), Ink(0xE07B00), Ink(0x0B84C6), Ink(0xB59A1E), Ink(0x9B2226)}};
+        Ink(0xEEF1F5), Ink(0xFFFFFF),
+        Ink(0x1F2933), Ink(0x5B6875),
+        Ink(0xD3DAE2), Ink(0x2F6FB3),
+        Ink(0xFDFDFE), Ink(0xDFE5EC),
+        Ink(0x64717E), Ink(0x2B3440),
+        Ink(0xE8B100), Ink(0xD6336C),
+        0.85,          {Ink(0x2B3440), Ink(0xE07B00), Ink(0x0B84C6), Ink(0xB59A1E), Ink(0x9B2226)}};
     static constexpr Palette dark = {
-        Ink(0x1B2129), Ink(0x12171D), Ink(0xE3E8EE), Ink(0x98A4B1), Ink(0x323C48),
-        Ink(0x3F83CC), Ink(0x242C36), Ink(0x0F1318), Ink(0xA9B6C4), Ink(0xDCE4EC),
-        Ink(0xFFD54A), Ink(0xFF5C98), 0.5,
-        {Ink(0xE8EEF5), Ink(0xFF9F38), Ink(0x45B5F5), Ink(0xE6D15C), Ink(0xF0626A)}};
+        Ink(0x1B2129), Ink(0x12171D),
+        Ink(0xE3E8EE), Ink(0x98A4B1),
+        Ink(0x323C48), Ink(0x3F83CC),
+        Ink(0x242C36), Ink(0x0F1318),
+        Ink(0xA9B6C4), Ink(0xDCE4EC),
+        Ink(0xFFD54A), Ink(0xFF5C98),
+        0.5,           {Ink(0xE8EEF5), Ink(0xFF9F38), Ink(0x45B5F5), Ink(0xE6D15C), Ink(0xF0626A)}};
     return theme == Theme::light ? light : dark;
 }
 

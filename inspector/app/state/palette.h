@@ -31,7 +31,7 @@ inline constexpr std::size_t look_count = 5;
 RayLook look_of(const TreeRay<double>& ray);
 
 struct LookText {
-    std::string_view name;     ///< "reflected"
+    std::string_view name;       ///< "reflected"
     std::string_view explained;  ///< "shadow ray that reaches the light"
 };
 const LookText& text_of(RayLook look);

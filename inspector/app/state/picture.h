@@ -55,7 +55,7 @@ class PictureRender {
 
     std::shared_ptr<const Document> document_;
     mutable std::mutex mutex_;
-    ShownPicture picture_;                                ///< guarded by mutex_
+    ShownPicture picture_;                                 ///< guarded by mutex_
     std::vector<std::optional<Rgb<double>>> intensities_;  ///< of cells; guarded by mutex_
     std::atomic<std::uint64_t> version_{0};
     std::atomic<bool> done_{false}, cancelled_{false}, stopped_{false};

@@ -25,8 +25,9 @@ std::vector<Candidate> candidates(const Camera& camera) {
     for (int row = 0; row < rows; ++row) {
         for (int column = 0; column < columns; ++column) {
             const double x = (column + 0.5) / columns, y = (row + 0.5) / rows;
-            all.push_back({{static_cast<int>(x * camera.width), static_cast<int>(y * camera.height)},
-                           std::hypot(2 * x - 1, 2 * y - 1)});
+            all.push_back(
+                {{static_cast<int>(x * camera.width), static_cast<int>(y * camera.height)},
+                 std::hypot(2 * x - 1, 2 * y - 1)});
         }
     }
     std::ranges::stable_sort(all, {}, &Candidate::off_centre);
@@ -45,7 +46,7 @@ double worth(const CountingRecorder<double>& recorder, double off_centre) {
     const auto reasons = std::ranges::count_if(counts.skipped, [](auto n) { return n > 0; });
     const double rays = static_cast<double>(std::min<std::size_t>(counts.rays(), 40));
     const double thicket = std::max(0.0, std::log2(static_cast<double>(counts.rays()) / 60.0));
-    return 8 * kinds + static_cast<double>(reasons) + 0.4 * rays - 4 * thicket - 10 * off_centre;
+    return 8 * kinds + static_cast<double>(reasons) + 0.8 * rays - 6 * thicket - 8 * off_centre;
 }
 
 }  // namespace

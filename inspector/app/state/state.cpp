@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "state/start_pixel.h"
-#include "tree/explain.h"
-#include "tree/record.h"
 
 namespace raytree::inspector {
 
@@ -38,17 +36,37 @@ void State::pick(Pixel pixel) {
     tell({.tree = true, .selection = true, .message = true});
 }
 
+/// A tree that takes no longer than a glance is waited for.
 void State::trace() {
+    constexpr std::chrono::milliseconds glance(60);
     tree_.reset();
     selected_ = 0;
-    try {
-        auto traced = std::make_shared<PixelTree>();
-        traced->tree = record_tree(document_->world(), pixel_.i, pixel_.j);
-        traced->tree.scene_sha256 = document_->loaded().sha256;
-        traced->children = children_of(traced->tree);
-        tree_ = std::move(traced);
-    } catch (const InputError& error) {
-        message_ = error.what();
+    tracing_ = true;
+    worker_->ask(document_, pixel_);
+    if (!take_tree(glance)) {
+        message_ = "Tracing the tree of pixel " + text_of(pixel_) + "…";
+    }
+}
+
+bool State::take_tree(std::chrono::milliseconds patience) {
+    auto traced = worker_->take(patience);
+    if (!traced) {
+        return false;
+    }
+    tracing_ = false;
+    tree_ = std::move(traced->tree);
+    if (!traced->failure.empty()) {
+        message_ = traced->failure;
+    }
+    return true;
+}
+
+void State::poll(std::chrono::milliseconds patience) {
+    if (tracing_ && take_tree(patience)) {
+        if (tree_) {
+            message_.clear();
+        }
+        tell({.tree = true, .selection = true, .message = true});
     }
 }
 

@@ -9,7 +9,7 @@
 
 #include "state/document.h"
 #include "state/palette.h"
-#include "tree/ray_tree.h"
+#include "state/tree_worker.h"
 
 /// What the inspector shows. Views read it and are told what has changed; commands change it.
 namespace raytree::inspector {
@@ -26,15 +26,7 @@ struct Look {
 };
 
 /// What is asked of the views once; nothing of it stays in the state.
-enum class Request {
-    through_camera,
-    from_side,
-    fit_tree,
-    fit_ray,
-    fit_picture,
-    cheat_sheet,
-    quit
-};
+enum class Request { through_camera, from_side, fit_tree, fit_ray, fit_picture, cheat_sheet, quit };
 
 /// What has changed since a view last looked.
 struct Changes {
@@ -44,12 +36,6 @@ struct Changes {
     bool look = false;
     bool message = false;
     std::optional<Request> request = std::nullopt;
-};
-
-/// The tree of the chosen pixel and its rays' children.
-struct PixelTree {
-    RayTree<double> tree;
-    std::vector<std::vector<std::size_t>> children;
 };
 
 class State {
@@ -62,7 +48,8 @@ class State {
     /// Null until a scene is open.
     const std::shared_ptr<const Document>& document() const { return document_; }
     Pixel pixel() const { return pixel_; }
-    /// Null where no scene is open, or where the pixel's tree has no finite intensity.
+    /// Null where no scene is open, where the pixel's tree has no finite intensity, and as long as
+    /// it is being traced.
     const std::shared_ptr<const PixelTree>& tree() const { return tree_; }
     /// There whenever a tree is.
     const TreeRay<double>* selected() const;
@@ -77,17 +64,24 @@ class State {
     void select(std::size_t ray);
     void change_look(const std::function<void(Look&)>& change);
     void request(Request request);
+    /// Whether the chosen pixel's tree is still to come: then `poll` is to be called now and then.
+    bool tracing() const { return tracing_; }
+    /// Takes a tree that has come meanwhile, waiting for it no longer than `patience`.
+    void poll(std::chrono::milliseconds patience = {});
     /// One line for people; empty to clear it.
     void say(std::string message);
 
   private:
     void trace();
+    bool take_tree(std::chrono::milliseconds patience);
     void tell(const Changes& changes) const;
 
     std::shared_ptr<const Document> document_;
     Pixel pixel_;
     std::shared_ptr<const PixelTree> tree_;
     std::size_t selected_ = 0;
+    bool tracing_ = false;
+    std::unique_ptr<TreeWorker> worker_ = std::make_unique<TreeWorker>();
     Look look_;
     std::string message_;
     std::vector<Observer> observers_;

@@ -83,27 +83,29 @@ struct Part {
     }
 };
 
-/// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the viewer
-/// it is firmer, and its colour turns into that of lines.
+/// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the
+/// viewer it is firmer, and its colour turns into that of lines.
 std::string see_through_code(Ink line) {
     const auto number = [](std::uint8_t value) { return std::to_string(value / 255.0); };
     return "//VTK::Light::Impl\n"
            "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
-           "  float firm = vertexColorVSOutput.a * 255.0 / 127.0 - (flat_shape ? 128.0/127.0 : 0.0);\n"
+           "  float firm = vertexColorVSOutput.a * 255.0 / 127.0 - (flat_shape ? 128.0/127.0 : "
+           "0.0);\n"
            "  float turned = flat_shape ? 0.0 : 1.0 - abs(normalVCVSOutput.z);\n"
            "  float rim = turned * turned;\n"
-           "  gl_FragData[0].a = clamp(firm * opacityUniform * (1.0 + 0.8 * rim) + 0.5 * rim * rim,\n"
+           "  gl_FragData[0].a = clamp(firm * opacityUniform * (1.0 + 0.8 * rim) + 0.5 * rim * "
+           "rim,\n"
            "                           0.0, 1.0);\n"
            "  gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3(" +
-           number(line.r) + "," + number(line.g) + "," + number(line.b) +
-           "), 0.75 * rim * rim);\n";
+           number(line.r) + "," + number(line.g) + "," + number(line.b) + "), 0.75 * rim * rim);\n";
 }
 
 /// Only what goes on far beyond the view fades out.
 constexpr const char* solid_code =
     "//VTK::Light::Impl\n"
     "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
-    "  gl_FragData[0].a = flat_shape ? clamp(16.0 * (vertexColorVSOutput.a - 128.0/255.0), 0.0, 1.0)\n"
+    "  gl_FragData[0].a = flat_shape ? clamp(16.0 * (vertexColorVSOutput.a - 128.0/255.0), 0.0, "
+    "1.0)\n"
     "                                : 1.0;\n";
 
 void set_background(vtkRenderer* renderer, const Palette& palette) {
@@ -167,20 +169,21 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     add_lights(p.renderer);
     p.set_shading();
     // In the order in which what is see-through is laid over each other.
-    for (Part* part : {&p.picture, &p.shapes, &p.edges, &p.mark_lines, &p.marks, &p.ray_lines,
+    for (Part* part : {&p.shapes, &p.edges, &p.picture, &p.mark_lines, &p.marks, &p.ray_lines,
                        &p.rays, &p.halo, &p.fading}) {
         p.renderer->AddActor(part->actor);
     }
-    for (Part* part : {&p.edges, &p.mark_lines, &p.ray_lines, &p.fading}) {
+    for (Part* part : {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading}) {
         part->see_through(true);
     }
-    for (Part* part : {&p.picture, &p.marks, &p.rays, &p.halo}) {
+    for (Part* part : {&p.marks, &p.rays, &p.halo}) {
         part->see_through(false);
     }
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
     p.halo.actor->GetProperty()->FrontfaceCullingOn();
     p.texture->InterpolateOn();
     p.picture.actor->SetTexture(p.texture);
+    p.picture.actor->GetProperty()->SetOpacity(0.85);  // rays behind it do not get lost
 }
 
 Scene3d::~Scene3d() = default;

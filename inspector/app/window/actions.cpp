@@ -39,7 +39,7 @@ std::string_view group_of(const Command& command) {
 
 }  // namespace
 
-Actions::Actions(State& state, QMainWindow* window, std::function<QString()> ask_file,
+Actions::Actions(State& state, QMainWindow* window, AskFile ask_file,
                  std::function<void(const InputError&)> fail)
     : QObject(window), state_(state), ask_file_(std::move(ask_file)), fail_(std::move(fail)) {
     for (const Command& command : commands()) {
@@ -73,20 +73,33 @@ QAction* Actions::make(const Command& command) {
     return action;
 }
 
-void Actions::run(const Command& command, std::string_view argument) {
+void Actions::run(const Command& command, std::string argument) {
     try {
-        std::string text(argument);
-        if (command.argument == Argument::file && text.empty()) {
-            text = ask_file_().toStdString();
-            if (text.empty()) {
+        if (command.argument == Argument::file && argument.empty()) {
+            argument = ask_file_(qt(command.title)).toStdString();
+            if (argument.empty()) {
                 return;
             }
         }
-        run_command(state_, command.id, text);
+        run_command(state_, command.id, argument);
+    } catch (const SceneWanted&) {
+        open_with_scene(argument);
     } catch (const InputError& error) {
         fail_(error);
     }
     refresh(false);  // a switch that Qt has turned stands as the state says
+}
+
+void Actions::open_with_scene(const std::string& tree) {
+    const QString scene =
+        ask_file_(QStringLiteral("This tree does not hold its scene: which one is it?"));
+    try {
+        if (!scene.isEmpty()) {
+            state_.show(open_file(tree, scene.toStdString()));
+        }
+    } catch (const InputError& error) {
+        fail_(error);
+    }
 }
 
 void Actions::add_menus(QMainWindow* window) {

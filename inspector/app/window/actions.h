@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 #include <map>
+#include <string>
 #include <string_view>
 
 #include "state/commands.h"
@@ -18,23 +19,27 @@ class Actions : public QObject {
     Q_OBJECT
 
   public:
-    /// `ask_file` gives the file for a command that wants one, empty to do nothing; `fail` is told
-    /// what went wrong.
-    Actions(State& state, QMainWindow* window, std::function<QString()> ask_file,
+    /// Asks for a file under the title given; empty to do nothing.
+    using AskFile = std::function<QString(const QString& title)>;
+
+    /// `fail` is told what went wrong.
+    Actions(State& state, QMainWindow* window, AskFile ask_file,
             std::function<void(const InputError&)> fail);
 
     /// The keys that widgets also use for themselves (arrows, Home) act in this one.
     void give_keys_to(QWidget* widget);
-    void run(const Command& command, std::string_view argument);
+    /// Runs a command; asks for its file, and for the scene of a tree that does not hold it.
+    void run(const Command& command, std::string argument);
 
   private:
     void add_menus(QMainWindow* window);
     void add_toolbar(QMainWindow* window);
     QAction* make(const Command& command);
+    void open_with_scene(const std::string& tree);
     void refresh(bool theme);
 
     State& state_;
-    std::function<QString()> ask_file_;
+    AskFile ask_file_;
     std::function<void(const InputError&)> fail_;
     std::map<std::string_view, QAction*> actions_;
 };

@@ -33,14 +33,14 @@ void fill(QTreeWidget* list) {
         }
         if (!keys.isEmpty()) {
             QString title = qt(command.title);
-            list->addTopLevelItem(new QTreeWidgetItem(
-                {title, keys.join(QStringLiteral(", ")), qt(command.help)}));
+            list->addTopLevelItem(
+                new QTreeWidgetItem({title, keys.join(QStringLiteral(", ")), qt(command.help)}));
         }
     }
     for (const Gesture& gesture : gestures) {
-        list->addTopLevelItem(new QTreeWidgetItem({QString::fromUtf8(gesture.what),
-                                                   QString::fromUtf8(gesture.how),
-                                                   QString::fromUtf8(gesture.help)}));
+        list->addTopLevelItem(
+            new QTreeWidgetItem({QString::fromUtf8(gesture.what), QString::fromUtf8(gesture.how),
+                                 QString::fromUtf8(gesture.help)}));
     }
 }
 
@@ -66,8 +66,8 @@ void show_cheat_sheet(QWidget* parent) {
     search->setPlaceholderText(QStringLiteral("Search"));
     search->setClearButtonEnabled(true);
     auto* const list = new QTreeWidget(dialog);
-    list->setHeaderLabels({QStringLiteral("Command"), QStringLiteral("Key"),
-                           QStringLiteral("What it does")});
+    list->setHeaderLabels(
+        {QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("What it does")});
     list->setRootIsDecorated(false);
     fill(list);
     list->resizeColumnToContents(0);

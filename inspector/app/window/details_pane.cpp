@@ -21,16 +21,18 @@ class Writer {
 
     void heading(const TreeRay<double>& ray) {
         const QString colour = qt(palette_[look_of(ray)]).name();
-        html_ += QStringLiteral("<p style='margin:2px 0 2px 0; font-size:large'><b>"
-                                "<span style='color:%1'>&#9632;</span>&nbsp;%2</b></p>")
+        html_ += QStringLiteral(
+                     "<p style='margin:2px 0 2px 0; font-size:large'><b>"
+                     "<span style='color:%1'>&#9632;</span>&nbsp;%2</b></p>")
                      .arg(colour, qt(title_of(ray)).toHtmlEscaped());
     }
 
     void equation(const TreeRay<double>& ray) {
         if (ray.hit) {
-            html_ += QStringLiteral("<p style='margin:4px 0 0 0; color:%1'><i>I</i> = ambient + "
-                                    "diffuse + specular + kr·f·<i>I</i><sub>r</sub> + "
-                                    "kt·f·<i>I</i><sub>t</sub></p>")
+            html_ += QStringLiteral(
+                         "<p style='margin:4px 0 0 0; color:%1'><i>I</i> = ambient + "
+                         "diffuse + specular + kr·f·<i>I</i><sub>r</sub> + "
+                         "kt·f·<i>I</i><sub>t</sub></p>")
                          .arg(qt(palette_.dim_text).name());
         }
     }
@@ -60,16 +62,16 @@ class Writer {
         const QString label_colour = qt(palette_.dim_text).name();
         const QString colour = faint ? label_colour : qt(palette_.text).name();
         html_ += QStringLiteral("<tr><td width='31%' style='color:%1'>%2%3%4%5</td>")
-                     .arg(strong ? colour : label_colour, strong ? "<b>" : "",
-                          escaped(row.label), strong ? "</b>" : "", swatch_of(row));
+                     .arg(strong ? colour : label_colour, strong ? "<b>" : "", escaped(row.label),
+                          strong ? "</b>" : "", swatch_of(row));
         for (const std::string& cell : row.cells) {
-            html_ += row.is_text
-                         ? QStringLiteral("<td colspan='3' align='left'>%1</td>")
-                               .arg(qt(cell).toHtmlEscaped())
-                         : QStringLiteral("<td width='23%' align='right' style='color:%1; "
-                                          "font-family:%2'>%3%4%5</td>")
-                               .arg(colour, mono_, strong ? "<b>" : "", escaped(cell),
-                                    strong ? "</b>" : "");
+            html_ += row.is_text ? QStringLiteral("<td colspan='3' align='left'>%1</td>")
+                                       .arg(qt(cell).toHtmlEscaped())
+                                 : QStringLiteral(
+                                       "<td width='23%' align='right' style='color:%1; "
+                                       "font-family:%2'>%3%4%5</td>")
+                                       .arg(colour, mono_, strong ? "<b>" : "", escaped(cell),
+                                            strong ? "</b>" : "");
         }
         if (!row.is_text && row.cells.size() < 3) {
             html_ += QStringLiteral("<td colspan='%1'></td>").arg(3 - row.cells.size());
@@ -82,8 +84,9 @@ class Writer {
             return {};
         }
         const auto [r, g, b] = eight_bit(*row.swatch, quantize_).value;
-        return QStringLiteral("&nbsp;&nbsp;<span style='background-color:%1'>"
-                              "&nbsp;&nbsp;&nbsp;&nbsp;&nbsp;</span>")
+        return QStringLiteral(
+                   "&nbsp;&nbsp;<span style='background-color:%1'>"
+                   "&nbsp;&nbsp;&nbsp;&nbsp;&nbsp;</span>")
             .arg(QColor(r, g, b).name());
     }
 

@@ -21,7 +21,10 @@ template <class Draw> QIcon drawn(int width, int height, Draw draw) {
     painter.setRenderHint(QPainter::Antialiasing);
     draw(painter);
     painter.end();
-    return QIcon(pixmap);
+    QIcon icon;
+    icon.addPixmap(pixmap, QIcon::Normal);
+    icon.addPixmap(pixmap, QIcon::Selected);  // colours mean something: they are not tinted
+    return icon;
 }
 
 QPen line_pen(const QColor& colour, double width, bool dashed = false) {
@@ -85,8 +88,8 @@ const std::map<std::string_view, Draw>& command_drawings() {
     static const std::map<std::string_view, Draw> drawings = {
         {"file.open",
          [](QPainter& p) {
-             p.drawPolyline(QPolygonF({{2.5, 14.5}, {2.5, 3.5}, {7, 3.5}, {8.5, 5.5}, {14, 5.5},
-                                       {14, 8}}));
+             p.drawPolyline(
+                 QPolygonF({{2.5, 14.5}, {2.5, 3.5}, {7, 3.5}, {8.5, 5.5}, {14, 5.5}, {14, 8}}));
              p.drawPolygon(QPolygonF({{2.5, 14.5}, {5, 8}, {16.5, 8}, {14, 14.5}}));
          }},
         {"file.reload",

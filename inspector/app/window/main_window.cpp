@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "state/commands.h"
 #include "state/details.h"
 #include "window/actions.h"
 #include "window/cheat_sheet.h"
@@ -28,11 +29,9 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     setDockOptions(QMainWindow::AnimatedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCentralWidget(make_centre());
-    picture_dock_ =
-        add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
+    picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
-    details_dock_ =
-        add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
+    details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     outline_ = new OutlinePane(state_);
     outline_dock_ = add_dock(QStringLiteral("Ray tree"), outline_, Qt::BottomDockWidgetArea);
 
@@ -45,15 +44,16 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     statusBar()->setSizeGripEnabled(false);
 
     actions_ = new Actions(
-        state_, this, [this] { return ask_file(QStringLiteral("Open a scene or a ray tree")); },
-        [this](const InputError& error) { report(QStringLiteral("Nothing was changed"), error); });
+        state_, this, [this](const QString& title) { return ask_file(title); },
+        [this](const InputError& error) { report(error); });
     actions_->give_keys_to(picture_);
     actions_->give_keys_to(scene_);
+    tracing_.setInterval(30);
+    connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
 
-QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget,
-                                  Qt::DockWidgetArea area) {
+QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
     auto* const dock = new QDockWidget(title, this);
     dock->setObjectName(title);
     dock->setFeatures(QDockWidget::DockWidgetMovable);
@@ -67,6 +67,7 @@ QWidget* MainWindow::make_picture_box() {
     picture_ = new PicturePane(state_, feed_);
     hovered_ = new QLabel;
     hovered_->setMargin(4);
+    hovered_->setObjectName(QStringLiteral("aside"));
     hovered_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     show_hovered(std::nullopt);
     connect(picture_, &PicturePane::hovered, this, &MainWindow::show_hovered);
@@ -113,13 +114,13 @@ void MainWindow::obey(const Changes& changes) {
         const Palette& palette = palette_of(state_.look().theme);
         message_->setText(qt(state_.message()));
         message_->setVisible(!state_.message().empty());
-        message_->setStyleSheet(
-            QStringLiteral("background: %1; border-bottom: 1px solid %2")
-                .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
-                     qt(palette.rule).name()));
+        message_->setStyleSheet(QStringLiteral("background: %1; border-bottom: 1px solid %2")
+                                    .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
+                                         qt(palette.rule).name()));
     }
     if (changes.tree) {
         show_status();
+        state_.tracing() ? tracing_.start() : tracing_.stop();
     }
     if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);
@@ -145,10 +146,8 @@ void MainWindow::show_status() {
 void MainWindow::show_hovered(std::optional<Pixel> pixel) {
     if (!pixel) {
         hovered_->setText(QStringLiteral("click chooses a pixel, the wheel zooms"));
-        hovered_->setEnabled(false);
         return;
     }
-    hovered_->setEnabled(true);
     QString text = qt(text_of(*pixel));
     if (const auto intensity = feed_.intensity(*pixel)) {
         text += QStringLiteral("   ") +
@@ -159,17 +158,17 @@ void MainWindow::show_hovered(std::optional<Pixel> pixel) {
 
 QString MainWindow::ask_file(const QString& title) {
     const QString folder =
-        state_.document()
-            ? QString::fromStdString(state_.document()->file().parent_path().string())
-            : QString();
+        state_.document() ? QString::fromStdString(state_.document()->file().parent_path().string())
+                          : QString();
     return QFileDialog::getOpenFileName(
         this, title, folder,
         QStringLiteral("Scenes and ray trees (*.json *.nff *.txt *.obj);;All files (*)"));
 }
 
-void MainWindow::report(const QString& title, const InputError& error) {
-    QMessageBox box(QMessageBox::Warning, QStringLiteral("raytree inspector"), title,
-                    QMessageBox::Ok, this);
+void MainWindow::report(const InputError& error) {
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("raytree inspector"),
+                    QStringLiteral("This cannot be done; nothing has changed."), QMessageBox::Ok,
+                    this);
     QString text = QString::fromUtf8(error.what());
     constexpr int longest = 1500;
     if (text.size() > longest) {
@@ -182,19 +181,7 @@ void MainWindow::report(const QString& title, const InputError& error) {
 }
 
 void MainWindow::open(const QString& file) {
-    try {
-        try {
-            state_.show(open_file(file.toStdString()));
-        } catch (const SceneWanted&) {
-            const QString scene =
-                ask_file(QStringLiteral("This tree does not hold its scene: which one is it?"));
-            if (!scene.isEmpty()) {
-                state_.show(open_file(file.toStdString(), scene.toStdString()));
-            }
-        }
-    } catch (const InputError& error) {
-        report(QStringLiteral("This file cannot be opened"), error);
-    }
+    actions_->run(*find_command("file.open"), file.toStdString());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -44,7 +44,7 @@ class MainWindow : public QMainWindow {
     void show_status();
     void show_hovered(std::optional<Pixel> pixel);
     QString ask_file(const QString& title);
-    void report(const QString& title, const InputError& error);
+    void report(const InputError& error);
 
     State& state_;
     PictureFeed feed_;
@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
     OutlinePane* outline_ = nullptr;
     DetailsPane* details_ = nullptr;
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *outline_dock_ = nullptr;
+    QTimer tracing_;  ///< runs while a tree is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };
 

@@ -12,7 +12,7 @@ void OutlineModel::show(std::shared_ptr<const PixelTree> tree, bool ghosts, Them
                         Quantize quantize) {
     beginResetModel();
     tree_ = std::move(tree);
-    outline_ = tree_ ? outline_of(*tree_, ghosts) : Outline{};
+    outline_ = Outline(tree_, ghosts);
     theme_ = theme;
     quantize_ = quantize;
     for (std::size_t k = 0; k < look_count; ++k) {
@@ -25,13 +25,12 @@ void OutlineModel::show(std::shared_ptr<const PixelTree> tree, bool ghosts, Them
 }
 
 QModelIndex OutlineModel::index_of(std::size_t place, int column) const {
-    return createIndex(static_cast<int>(outline_.rows[place].place), column,
+    return createIndex(static_cast<int>(outline_.row(place).place), column,
                        static_cast<quintptr>(place));
 }
 
 QModelIndex OutlineModel::index_of_ray(std::size_t ray) const {
-    return ray < outline_.row_of_ray.size() ? index_of(outline_.row_of_ray[ray], 0)
-                                            : QModelIndex();
+    return outline_.empty() ? QModelIndex() : index_of(outline_.row_of(ray), 0);
 }
 
 QModelIndex OutlineModel::index(int row, int column, const QModelIndex& parent) const {
@@ -41,7 +40,8 @@ QModelIndex OutlineModel::index(int row, int column, const QModelIndex& parent) 
     if (!parent.isValid()) {
         return index_of(0, column);
     }
-    return index_of(this->row(parent).children[static_cast<std::size_t>(row)], column);
+    return index_of(outline_.children_of(parent.internalId())[static_cast<std::size_t>(row)],
+                    column);
 }
 
 QModelIndex OutlineModel::parent(const QModelIndex& child) const {
@@ -50,16 +50,18 @@ QModelIndex OutlineModel::parent(const QModelIndex& child) const {
 
 int OutlineModel::rowCount(const QModelIndex& parent) const {
     if (!parent.isValid()) {
-        return outline_.rows.empty() ? 0 : 1;
+        return outline_.empty() ? 0 : 1;
     }
-    return parent.column() > 0 ? 0 : static_cast<int>(row(parent).children.size());
+    return parent.column() > 0 ? 0
+                               : static_cast<int>(outline_.children_of(parent.internalId()).size());
 }
 
 QVariant OutlineModel::text(const OutlineRow& row, int column) const {
     const OutlineTexts texts = texts_of(*tree_, row);
     switch (column) {
         case ray_column:
-            return row.skipped ? qt(texts.ray) : QStringLiteral("#%1  ").arg(row.ray) + qt(texts.ray);
+            return row.skipped ? qt(texts.ray)
+                               : QStringLiteral("#%1  ").arg(row.ray) + qt(texts.ray);
         case met_column:
             return qt(texts.met);
         case t_column:
@@ -75,9 +77,8 @@ QVariant OutlineModel::icon(const OutlineRow& row, int column) const {
     const Palette& palette = palette_of(theme_);
     if (column == ray_column) {
         const TreeRay<double>& ray = tree_->tree.rays[row.ray];
-        return row.skipped
-                   ? ghost_signs_[static_cast<std::size_t>(ray.skipped[*row.skipped].kind)]
-                   : signs_[static_cast<std::size_t>(look_of(ray))];
+        return row.skipped ? ghost_signs_[static_cast<std::size_t>(ray.skipped[*row.skipped].kind)]
+                           : signs_[static_cast<std::size_t>(look_of(ray))];
     }
     if (const auto colour = swatch_of(*tree_, row); column == intensity_column && colour) {
         const auto [r, g, b] = eight_bit(*colour, quantize_).value;
@@ -122,8 +123,9 @@ QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int 
     }
     static const std::array<const char*, column_count> titles = {"Ray", "Meets", "t", "Intensity",
                                                                  "Why it ended"};
-    return role == Qt::DisplayRole ? QVariant(QString::fromUtf8(titles[static_cast<std::size_t>(section)]))
-                                   : QVariant();
+    return role == Qt::DisplayRole
+               ? QVariant(QString::fromUtf8(titles[static_cast<std::size_t>(section)]))
+               : QVariant();
 }
 
 Qt::ItemFlags OutlineModel::flags(const QModelIndex& index) const {

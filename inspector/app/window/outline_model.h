@@ -21,9 +21,8 @@ class OutlineModel : public QAbstractItemModel {
     void show(std::shared_ptr<const PixelTree> tree, bool ghosts, Theme theme, Quantize quantize);
     QModelIndex index_of_ray(std::size_t ray) const;
     const OutlineRow& row(const QModelIndex& index) const {
-        return outline_.rows[static_cast<std::size_t>(index.internalId())];
+        return outline_.row(static_cast<std::size_t>(index.internalId()));
     }
-    std::size_t row_count() const { return outline_.rows.size(); }
 
     QModelIndex index(int row, int column, const QModelIndex& parent) const override;
     QModelIndex parent(const QModelIndex& child) const override;

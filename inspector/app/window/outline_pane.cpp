@@ -6,7 +6,7 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr std::size_t most_expanded = 1500;  // rows; larger trees open level by level
+constexpr std::size_t most_expanded = 1000;  // rays; larger trees open level by level
 constexpr int levels_of_large_trees = 4;
 
 }  // namespace
@@ -34,10 +34,10 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
 
 void OutlinePane::show_tree() {
     following_ = true;
-    const Quantize quantize = state_.document() ? state_.document()->scene().settings.quantize
-                                                : Quantize::round;
+    const Quantize quantize =
+        state_.document() ? state_.document()->scene().settings.quantize : Quantize::round;
     model_->show(state_.tree(), state_.look().ghosts, state_.look().theme, quantize);
-    if (model_->row_count() <= most_expanded) {
+    if (state_.tree() && state_.tree()->tree.rays.size() <= most_expanded) {
         expandAll();
     } else {
         expandToDepth(levels_of_large_trees);

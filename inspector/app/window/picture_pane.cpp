@@ -57,11 +57,11 @@ QSizeF PicturePane::picture_size() const {
 
 void PicturePane::fit() {
     const QSizeF size = picture_size();
-    scale_ = std::min((width() - 2 * margin) / size.width(),
-                      (height() - 2 * margin) / size.height());
+    scale_ =
+        std::min((width() - 2 * margin) / size.width(), (height() - 2 * margin) / size.height());
     scale_ = std::min(std::max(scale_, 1e-3), largest_scale);
-    origin_ = QPointF((width() - scale_ * size.width()) / 2,
-                      (height() - scale_ * size.height()) / 2);
+    origin_ =
+        QPointF((width() - scale_ * size.width()) / 2, (height() - scale_ * size.height()) / 2);
     fitted_ = true;
     update();
 }

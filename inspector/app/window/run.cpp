@@ -18,10 +18,10 @@ namespace {
 constexpr qint64 longest_wait = 120'000;  // milliseconds for a picture
 
 /// Lets the window work until its picture is complete and its 3D view has shown it.
-void wait_until_drawn(MainWindow& window) {
+void wait_until_drawn(const State& state, MainWindow& window) {
     QElapsedTimer time;
     time.start();
-    while (!window.feed().done() && time.elapsed() < longest_wait) {
+    while ((!window.feed().done() || state.tracing()) && time.elapsed() < longest_wait) {
         QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
     const int frames = window.scene_pane().frames();
@@ -32,8 +32,8 @@ void wait_until_drawn(MainWindow& window) {
     QApplication::processEvents();
 }
 
-void take_screenshot(MainWindow& window, const std::filesystem::path& file) {
-    wait_until_drawn(window);
+void take_screenshot(const State& state, MainWindow& window, const std::filesystem::path& file) {
+    wait_until_drawn(state, window);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -59,7 +59,8 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
 
-    const Opened opened{state.document(), state.pixel(), {}};
+    // The panes are told of what is open by its being shown once more.
+    const Opened opened{state.document(), state.pixel(), {state.message()}};
     MainWindow window(state);
     window.resize(options.width, options.height);
     window.show();
@@ -71,7 +72,7 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
         run_line(state, line);
     }
     if (options.screenshot) {
-        take_screenshot(window, *options.screenshot);
+        take_screenshot(state, window, *options.screenshot);
         return 0;
     }
     return QApplication::exec();

@@ -1,14 +1,17 @@
 #include "window/scene_pane.h"
 
+#include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QMouseEvent>
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
+#include <iterator>
 
+#include "drawing/standard_views.h"
 #include "state/details.h"
 #include "state/outline.h"
 #include "window/qt_text.h"
@@ -17,10 +20,9 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr double click_reach = 9;      // pixels around the cursor
-constexpr double drag_from = 4;        // pixels that make a click a drag
+constexpr double click_reach = 9;  // pixels around the cursor
+constexpr double drag_from = 4;    // pixels that make a click a drag
 constexpr double degrees_a_pixel = 0.4;
-constexpr double side_fov = 30;
 
 }  // namespace
 
@@ -28,7 +30,9 @@ constexpr double side_fov = 30;
 class SceneCanvas : public QVTKOpenGLNativeWidget {
   public:
     explicit SceneCanvas(ScenePane* pane)
-        : QVTKOpenGLNativeWidget(pane->scene3d_.window(), pane), pane_(pane) {}
+        : QVTKOpenGLNativeWidget(pane->scene3d_.window(), pane), pane_(pane) {
+        interactor()->SetInteractorStyle(nullptr);  // mouse and keys are the pane's
+    }
 
   protected:
     void paintGL() override {
@@ -69,7 +73,7 @@ void ScenePane::obey(const Changes& changes) {
         take_tree();
     }
     if (changes.document) {
-        look_from_side();
+        obey(Request::from_side);
     }
     if (changes.request) {
         obey(*changes.request);
@@ -83,20 +87,19 @@ void ScenePane::obey(Request request) {
     if (!state_.document()) {
         return;
     }
+    const Document& document = *state_.document();
     if (request == Request::through_camera) {
-        look_through_camera();
+        change_view(camera_view(document, extent_, view_));
     } else if (request == Request::from_side) {
-        look_from_side();
+        change_view(side_view(document, extent_, paths_, view_));
     } else if (request == Request::fit_tree) {
-        fit(points_of(paths_, extent_));
+        change_view(fitted_above_legend(view_, points_of(paths_, extent_)));
     } else if (request == Request::fit_ray && state_.tree()) {
         std::vector<RayPath> chosen;
-        for (const RayPath& path : paths_) {
-            if (path.ray == state_.selected()->id) {
-                chosen.push_back(path);
-            }
-        }
-        fit(points_of(chosen, extent_), 0.3);
+        std::ranges::copy_if(paths_, std::back_inserter(chosen), [&](const RayPath& path) {
+            return path.ray == state_.selected()->id;
+        });
+        change_view(fitted_above_legend(view_, points_of(chosen, extent_), 0.3));
     }
 }
 
@@ -123,63 +126,6 @@ void ScenePane::take_tree() {
 void ScenePane::take_picture() {
     stale_picture_ = true;
     redraw();
-}
-
-void ScenePane::look_from_side() {
-    const CameraRays<double>& camera = state_.document()->world().camera;
-    const Point3 eye = state_.document()->scene().camera.eye;
-    const Point3 up = glm::normalize(state_.document()->scene().camera.up);
-    View view = view_;
-    view.up = up;
-    view.fov_degrees = side_fov;
-    view.target = extent_.seen.centre();
-    view.eye = view.target + extent_.diagonal * (0.8 * camera.right().vec() -
-                                                 0.85 * camera.forward().vec() + 0.45 * up);
-    // What is far off does not make all the rest small.
-    std::vector<Point3> points = points_of(paths_, extent_);
-    std::erase_if(points, [&](const Point3& p) {
-        return glm::length(p - view.target) > 0.95 * extent_.diagonal;
-    });
-    for (const Point3& corner : picture_corners(*state_.document(), extent_.plane_distance)) {
-        points.push_back(corner);
-    }
-    points.push_back(eye);
-    view_ = view;
-    fit(points);
-}
-
-/// The field of view is that of the camera, widened to the pane's shape.
-void ScenePane::look_through_camera() {
-    const Document& document = *state_.document();
-    const CameraRays<double>& camera = document.world().camera;
-    View view = view_;
-    view.eye = document.scene().camera.eye;
-    view.target = view.eye + camera.forward().vec() * extent_.far_distance;
-    view.up = camera.up();
-    double high = 0, wide = 0;
-    for (const Point3& corner : picture_corners(document, 1)) {
-        high = std::max(high, std::abs(glm::dot(corner - view.eye, camera.up())));
-        wide = std::max(wide, std::abs(glm::dot(corner - view.eye, camera.right().vec())));
-    }
-    const double shape = static_cast<double>(view.width) / std::max(1, view.height);
-    constexpr double margin = 1.06;  // the frame of the picture is to be seen
-    view.fov_degrees =
-        2 * std::atan(margin * std::max(high, wide / shape)) * 180 / std::numbers::pi;
-    change_view(view);
-}
-
-void ScenePane::fit(const std::vector<Point3>& points, double margin) {
-    View view = view_;
-    view.fov_degrees = side_fov;
-    // The legend's strip is left free: fitted into a lower view, the aim then moved up by half of
-    // what was taken away.
-    const int strip = std::min(34, view.height / 6);
-    view.height -= strip;
-    view.fov_degrees *= static_cast<double>(view.height) / view_.height;
-    view = fitted(view, points, margin);
-    view.height = view_.height;
-    view.fov_degrees = side_fov;
-    change_view(panned(view, 0, strip / 2.0));
 }
 
 void ScenePane::change_view(const View& view) {
@@ -220,11 +166,10 @@ void ScenePane::prepare_frame() {
         if (state_.look().shapes == ShapeStyle::see_through && mesh_.objects.size() < 2000) {
             scene3d_.set_shape_order(sorted_triangles(mesh_, extent_, view_.eye));
         }
-        scene3d_.set_landmarks(landmarks({*state_.document(), state_.selected(), state_.pixel(),
-                                          extent_, view_, palette}));
-        scene3d_.set_rays(state_.tree() ? ray_meshes({paths_, *state_.tree(),
-                                                      state_.selected()->id, extent_, view_,
-                                                      palette})
+        scene3d_.set_landmarks(landmarks(
+            {*state_.document(), state_.selected(), state_.pixel(), extent_, view_, palette}));
+        scene3d_.set_rays(state_.tree() ? ray_meshes({paths_, *state_.tree(), state_.selected()->id,
+                                                      extent_, view_, palette})
                                         : RayMeshes{});
         scene3d_.set_view(view_);
     }
@@ -241,7 +186,7 @@ void ScenePane::resizeEvent(QResizeEvent*) {
     view_.width = std::max(1, width());
     view_.height = std::max(1, height());
     if (state_.document() && !canvas_->isVisible()) {
-        look_from_side();
+        obey(Request::from_side);
     }
     redraw();
 }
@@ -311,8 +256,8 @@ void ScenePane::show_hint(QPointF at, QPoint global) {
     row.ray = *ray;
     const OutlineTexts texts = texts_of(*state_.tree(), row);
     const std::string t = texts.t.empty() ? "" : ", t = " + texts.t;
-    QToolTip::showText(
-        global, qt(title_of(state_.tree()->tree.rays[*ray]) + ": " + texts.met + t), canvas_);
+    QToolTip::showText(global, qt(title_of(state_.tree()->tree.rays[*ray]) + ": " + texts.met + t),
+                       canvas_);
 }
 
 }  // namespace raytree::inspector

@@ -46,9 +46,6 @@ class ScenePane : public QWidget {
     void take_document();
     void take_tree();
     void take_picture();
-    void look_from_side();
-    void look_through_camera();
-    void fit(const std::vector<Point3>& points, double margin = 0.08);
     void change_view(const View& view);
     bool looks_from_the_eye() const;
     void prepare_frame();

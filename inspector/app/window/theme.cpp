@@ -34,6 +34,7 @@ QTreeView { selection-background-color: @selected; selection-color: @text; }
 QTreeView::item { padding: 1px 4px 1px 2px; }
 QHeaderView::section { background: @window; color: @dim; border: none;
                        border-bottom: 1px solid @rule; padding: 4px 6px; font-weight: bold; }
+QLabel#aside { color: @dim; }
 QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3px; }
 )");
     const std::pair<const char*, Ink> names[] = {

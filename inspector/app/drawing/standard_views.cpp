@@ -1,0 +1,82 @@
+#include "drawing/standard_views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "drawing/ray_mesh.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr double fov = 30;     // of all views but the camera's
+constexpr int legend = 34;     // pixels along the lower edge
+constexpr double near = 0.95;  // of the diagonal: what is farther off may lie outside the view
+
+/// What the view from the side is to contain: what is far off does not make all the rest small.
+std::vector<Point3> side_points(const Document& document, const Extent& extent,
+                                const std::vector<RayPath>& paths) {
+    const Point3 middle = extent.seen.centre();
+    std::vector<Point3> points = points_of(paths, extent);
+    std::erase_if(
+        points, [&](const Point3& p) { return glm::length(p - middle) > near * extent.diagonal; });
+    for (const Point3& corner : picture_corners(document, extent.plane_distance)) {
+        points.push_back(corner);
+    }
+    for (const Point3& corner : extent.seen.corners()) {
+        points.push_back((corner + middle) * 0.5);
+    }
+    for (const Light& light : document.scene().lights) {
+        if (std::holds_alternative<DirectionalLight>(light.kind)) {
+            points.push_back(place_of(light, extent));
+        }
+    }
+    points.push_back(document.scene().camera.eye);
+    return points;
+}
+
+}  // namespace
+
+View camera_view(const Document& document, const Extent& extent, const View& now) {
+    const CameraRays<double>& camera = document.world().camera;
+    View view = now;
+    view.eye = document.scene().camera.eye;
+    view.target = view.eye + camera.forward().vec() * extent.far_distance;
+    view.up = camera.up();
+    double high = 0, wide = 0;
+    for (const Point3& corner : picture_corners(document, 1)) {
+        high = std::max(high, std::abs(glm::dot(corner - view.eye, camera.up())));
+        wide = std::max(wide, std::abs(glm::dot(corner - view.eye, camera.right().vec())));
+    }
+    const double shape = static_cast<double>(view.width) / std::max(1, view.height);
+    constexpr double margin = 1.06;
+    view.fov_degrees =
+        2 * std::atan(margin * std::max(high, wide / shape)) * 180 / std::numbers::pi;
+    return view;
+}
+
+View side_view(const Document& document, const Extent& extent, const std::vector<RayPath>& paths,
+               const View& now) {
+    const CameraRays<double>& camera = document.world().camera;
+    View view = now;
+    view.up = glm::normalize(document.scene().camera.up);
+    view.target = extent.seen.centre();
+    view.eye = view.target + extent.diagonal * (0.9 * camera.right().vec() -
+                                                0.72 * camera.forward().vec() + 0.42 * view.up);
+    return fitted_above_legend(view, side_points(document, extent, paths));
+}
+
+/// Fitted into a view that is lower by the legend, which is then put back at its lower edge.
+View fitted_above_legend(const View& now, std::span<const Point3> points, double margin) {
+    const int strip = std::min(legend, now.height / 6);
+    View view = now;
+    view.height -= strip;
+    view.fov_degrees = fov * view.height / now.height;
+    view = fitted(view, points, margin);
+    view.height = now.height;
+    view.fov_degrees = fov;
+    return panned(view, 0, strip / 2.0);
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Runs raytree-inspector from outside: what it answers and refuses, and what its screenshots
+consist of. Needs a display, such as Xvfb's."""
+
+import argparse
+import os
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+from pathlib import Path
+
+RAYS = {"light": {"primary": 0x2B3440, "reflected": 0xE07B00, "refracted": 0x0B84C6,
+                  "lit": 0xB59A1E, "selection": 0xD6336C},
+        "dark": {"primary": 0xE8EEF5, "reflected": 0xFF9F38, "refracted": 0x45B5F5,
+                 "lit": 0xE6D15C, "selection": 0xFF5C98}}
+
+failures = []
+
+
+def check(name, good, text=""):
+    if not good:
+        failures.append(name)
+        print(f"FAILED  {name}: {text}", flush=True)
+
+
+def unfiltered(kind, line, before, step):
+    """One row of a PNG with its filter taken back."""
+    for k in range(len(line)):
+        a = line[k - step] if k >= step else 0
+        b = before[k]
+        c = before[k - step] if k >= step else 0
+        if kind == 1:
+            line[k] = (line[k] + a) & 255
+        elif kind == 2:
+            line[k] = (line[k] + b) & 255
+        elif kind == 3:
+            line[k] = (line[k] + (a + b) // 2) & 255
+        elif kind == 4:
+            p = a + b - c
+            near = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))
+            line[k] = (line[k] + near[2]) & 255
+    return line
+
+
+def read_png(path):
+    """Width, height and the pixels, rows of (r, g, b), of an 8-bit RGB picture."""
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, packed = 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+            assert (depth, colour) == (8, 2), (depth, colour)
+        elif kind == b"IDAT":
+            packed += body
+        at += 12 + length
+    raw, rows, before = zlib.decompress(packed), [], bytearray(3 * width)
+    for y in range(height):
+        start = y * (3 * width + 1)
+        before = unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + 3 * width]), before, 3)
+        rows.append(list(zip(before[0::3], before[1::3], before[2::3])))
+    return width, height, rows
+
+
+def count_near(rows, colour, columns, lines, reach=36):
+    r, g, b = colour >> 16, colour >> 8 & 255, colour & 255
+    return sum(abs(p[0] - r) < reach and abs(p[1] - g) < reach and abs(p[2] - b) < reach
+               for row in rows[lines] for p in row[columns])
+
+
+def run(*arguments, environment=None):
+    return subprocess.run([OPTIONS.inspector, *map(str, arguments)], capture_output=True,
+                          text=True, timeout=180, env=environment)
+
+
+def check_screenshot(folder, scene, theme, size):
+    name = f"{scene} {theme} {size}"
+    file = folder / "window.png"
+    done = run(OPTIONS.data / "scenes" / f"{scene}.json", "--screenshot", file, "--theme", theme,
+               "--size", size)
+    check(name, done.returncode == 0, done.stderr)
+    width, height, rows = read_png(file)
+    check(name, f"{width}x{height}" == size, f"{width}x{height}")
+    # The 3D view lies to the right of the middle third, above the outline.
+    columns, lines = slice(width * 35 // 100, width), slice(height // 10, height * 60 // 100)
+    for ray, colour in RAYS[theme].items():
+        found = count_near(rows, colour, columns, lines)
+        check(name, found > 120, f"{found} pixels in the colour of {ray}")
+    tones = {p for row in rows[lines][::4] for p in row[columns][::4]}
+    check(name, len(tones) > 300, f"the 3D view has {len(tones)} colours")
+    picture = {p for row in rows[height // 8:height * 40 // 100] for p in row[40:width // 4]}
+    check(name, len(picture) > 1000, f"the picture has {len(picture)} colours")
+
+
+def check_answers(folder):
+    done = run("--version")
+    check("version", done.returncode == 0 and re.fullmatch(r"raytree \d+\.\d+\.\d+\n", done.stdout),
+          done.stdout)
+    done = run("--help")
+    check("help", done.returncode == 0 and done.stdout.startswith("Examples:"), done.stdout)
+    scene = OPTIONS.data / "scenes" / "glass-ball.json"
+    without = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+    done = run(scene, environment=without)
+    check("no display", done.returncode == 3 and done.stderr.count("\n") == 1
+          and "display" in done.stderr, (done.returncode, done.stderr))
+    broken = folder / "broken.json"
+    broken.write_text('{"format": "raytree-scene/1.0", "camera"')
+    target = folder / "never.png"
+    for name, arguments, word in [
+            ("missing file", ["no-such.json"], "no-such.json"),
+            ("broken file", [broken], "broken.json"),
+            ("pixel outside", [scene, "--pixel", "640,0"], "640,0"),
+            ("pixel misspelt", [scene, "--pixel", "12"], "I,J"),
+            ("unknown option", [scene, "--pixle", "1,2"], "--pixle"),
+            ("bad size", [scene, "--size", "1x1"], "--size"),
+            ("bad theme", [scene, "--theme", "pink"], "--theme"),
+            ("unknown command", [scene, "--script", script(folder, "no.such")], "no.such"),
+            ("unwritable", [scene, "--screenshot", folder / "none" / "x.png"], "x.png"),
+            ("two files", [scene, scene], "one file")]:
+        if name != "unwritable":
+            arguments = [*arguments, "--screenshot", target]
+        done = run(*arguments)
+        check(name, done.returncode == 2 and word in done.stderr, (done.returncode, done.stderr))
+        check(name, not target.exists(), "it has written a file")
+
+
+def script(folder, *lines):
+    file = folder / "script.txt"
+    file.write_text("\n".join(lines))
+    return file
+
+
+def check_script(folder):
+    """What commands do is to be seen."""
+    scene = OPTIONS.data / "scenes" / "glass-ball.json"
+    counts = []
+    for lines in [["ray.primary"], ["show.shadow"]]:
+        file = folder / "scripted.png"
+        done = run(scene, "--script", script(folder, *lines), "--screenshot", file)
+        check("script", done.returncode == 0, done.stderr)
+        width, height, rows = read_png(file)
+        counts.append(count_near(rows, RAYS["light"]["lit"], slice(width * 35 // 100, width),
+                                 slice(height // 10, height * 55 // 100)))
+    check("script hides shadow rays", counts[1] < counts[0] / 4, counts)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        check_answers(folder)
+        check_screenshot(folder, "glass-ball", "light", "1280x800")
+        check_screenshot(folder, "glass-ball", "dark", "1920x1080")
+        check_script(folder)
+    print(f"{len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--inspector", required=True)
+    parser.add_argument("--data", required=True, type=Path)
+    OPTIONS = parser.parse_args()
+    sys.exit(main())

@@ -1,0 +1,175 @@
+#include <doctest/doctest.h>
+
+#include "app/scenes.h"
+#include "state/details.h"
+#include "state/numbers.h"
+#include "state/outline.h"
+#include "state/picture.h"
+#include "tree/explain.h"
+#include "tree/record.h"
+
+namespace raytree::inspector {
+namespace {
+
+PixelTree ball_tree() {
+    const auto document = test::document_of(test::glass_ball_scene());
+    PixelTree tree;
+    tree.tree = record_tree(document->world(), 40, 30);
+    tree.children = children_of(tree.tree);
+    return tree;
+}
+
+const DetailRow* find_row(const std::vector<DetailSection>& sections, const std::string& label) {
+    for (const DetailSection& section : sections) {
+        for (const DetailRow& row : section.rows) {
+            if (row.label == label) {
+                return &row;
+            }
+        }
+    }
+    return nullptr;
+}
+
+TEST_CASE("app: numbers in a column have the same decimals") {
+    CHECK(aligned(Vec3<double>(1, -22.5, 0)) ==
+          std::vector<std::string>{"1.0000", "-22.5000", "0"});
+    CHECK(aligned(std::array{0.25}) == std::vector<std::string>{"0.25000"});
+    CHECK(aligned(std::array{1e-9}) == std::vector<std::string>{"1.00e-09"});
+    CHECK(aligned(std::array{1.5e9}) == std::vector<std::string>{"1.50e+09"});
+    CHECK(rgb_text({0.5, 1, 2.25}) == "0.500  1.000  2.250");
+    CHECK(grouped(1234567) == "1,234,567");
+    CHECK(grouped(12) == "12");
+}
+
+/// All rows of an outline, each after its parent.
+std::vector<std::size_t> all_rows(const Outline& outline) {
+    std::vector<std::size_t> rows = {0};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const auto& children = outline.children_of(rows[k]);
+        rows.insert(rows.end(), children.begin(), children.end());
+    }
+    return rows;
+}
+
+TEST_CASE("app: the outline has every ray once, under its parent, in order") {
+    const auto tree = std::make_shared<PixelTree>(ball_tree());
+    const Outline outline(tree, true);
+    std::vector<int> seen(tree->tree.rays.size());
+    for (const std::size_t k : all_rows(outline)) {
+        const OutlineRow& row = outline.row(k);
+        if (row.skipped) {
+            CHECK(outline.row(row.parent).ray == row.ray);
+            continue;
+        }
+        ++seen[row.ray];
+        CHECK(outline.row_of(row.ray) == k);
+        if (k > 0) {
+            CHECK(outline.row(row.parent).ray == tree->tree.rays[row.ray].parent);
+            CHECK(outline.children_of(row.parent)[row.place] == k);
+        }
+    }
+    CHECK(std::ranges::all_of(seen, [](int n) { return n == 1; }));
+}
+
+TEST_CASE("app: a row deep in the outline is found before those above it are looked at") {
+    const auto tree = std::make_shared<PixelTree>(ball_tree());
+    const std::size_t last = tree->tree.rays.size() - 1;
+    const Outline outline(tree, true);
+    CHECK(outline.row(outline.row_of(last)).ray == last);
+    CHECK(Outline(nullptr, true).empty());
+}
+
+TEST_CASE("app: the outline has a ghost for every ray that was not sent, if wanted") {
+    const auto tree = std::make_shared<PixelTree>(ball_tree());
+    const auto& rays = tree->tree.rays;
+    std::size_t skipped = 0;
+    for (const auto& ray : rays) {
+        skipped += static_cast<std::size_t>(std::ranges::count_if(
+            ray.skipped, [&](const Skipped& s) { return !told_by_termination(ray, s); }));
+    }
+    REQUIRE(skipped > 0);
+    const Outline with(tree, true), without(tree, false);
+    CHECK(all_rows(with).size() == rays.size() + skipped);
+    CHECK(all_rows(without).size() == rays.size());
+    for (const std::size_t k : all_rows(with)) {
+        const OutlineRow& row = with.row(k);
+        if (row.skipped) {
+            const OutlineTexts texts = texts_of(*tree, row);
+            CHECK(texts.met == "not sent");
+            CHECK(texts.ended ==
+                  skipped_text(tree->tree, rays[row.ray], rays[row.ray].skipped[*row.skipped]));
+            CHECK_FALSE(swatch_of(*tree, row));
+        }
+    }
+}
+
+TEST_CASE("app: the details' sum has the terms of the equation") {
+    const PixelTree tree = ball_tree();
+    const auto sections = details_of(tree, 0);
+    for (const char* label : {"ambient", "+ diffuse", "+ specular", "+ kr·f·Ir", "+ kt·f·It",
+                              "= intensity", "normal n", "origin", "direction", "weight"}) {
+        CHECK_MESSAGE(find_row(sections, label), label);
+    }
+    CHECK(find_row(sections, "= intensity")->cells == aligned(tree.tree.intensity));
+    CHECK(find_row(sections, "η1 → η2")->cells == std::vector<std::string>{"1 → 1.5"});
+}
+
+TEST_CASE("app: details of every ray say what it is and why it ended") {
+    const PixelTree tree = ball_tree();
+    for (const auto& ray : tree.tree.rays) {
+        const auto sections = details_of(tree, ray.id);
+        CHECK(sections.size() >= 3);
+        if (ray.shadow) {
+            CHECK(find_row(sections, "light")->cells.front() == ray.shadow->light);
+            CHECK((find_row(sections, "blocked by") != nullptr) ==
+                  ray.shadow->blocked_by.has_value());
+        } else if (ray.termination) {
+            CHECK(sections[1].title == "Where it ends");
+            CHECK(sections[1].sentences.front().find(
+                      text_of(*ray.termination).sentence.substr(1)) != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("app: the status says what was clamped and the bound on the rays") {
+    CHECK(value_text({0.5, 1.5, 0}, Quantize::floor) ==
+          "0.500  1.500  0.000  →  127 255 0  (green clamped)");
+    const PixelTree tree = ball_tree();
+    CHECK(counts_text(tree.tree).find("(2 + 1)(2^4 − 1) = 45") != std::string::npos);
+}
+
+TEST_CASE("app: the picture that comes in bit by bit is the rendered one in the end") {
+    const auto document = test::document_of(test::glass_ball_scene());
+    PictureRender render(document);
+    while (!render.stopped()) {
+        std::this_thread::yield();
+    }
+    REQUIRE(render.done());
+    const ShownPicture shown = render.snapshot();
+    REQUIRE(shown.width == 80);
+    REQUIRE(shown.stride == 1);
+    for (const Pixel pixel : {Pixel{0, 0}, {40, 30}, {79, 59}, {13, 47}}) {
+        const auto tree = record_tree(document->world(), pixel.i, pixel.j);
+        CHECK(render.intensity(pixel) == tree.intensity);
+        const auto [r, g, b] = eight_bit(tree.intensity, Quantize::round).value;
+        const auto cell = shown.cells[static_cast<std::size_t>(pixel.j * 80 + pixel.i)];
+        CHECK(cell == (0xFF000000u | static_cast<unsigned>(r << 16 | g << 8 | b)));
+    }
+}
+
+TEST_CASE("app: a picture of very many pixels is thinned out, and a cancelled one ends") {
+    Scene scene = test::glass_ball_scene();
+    scene.camera.width = 20'000;
+    scene.camera.height = 10'000;
+    PictureRender render(test::document_of(scene));
+    CHECK(render.snapshot().stride == 6);
+    render.cancel();
+    while (!render.stopped()) {
+        std::this_thread::yield();
+    }
+    CHECK_FALSE(render.done());
+    CHECK_FALSE(render.intensity({1, 1}));
+}
+
+}  // namespace
+}  // namespace raytree::inspector

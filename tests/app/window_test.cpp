@@ -1,0 +1,220 @@
+// The real window, driven by clicks and keys. Needs a display, such as Xvfb's.
+
+#include <QAbstractItemModel>
+#include <QAction>
+#include <QApplication>
+#include <QMessageBox>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QtTest>
+
+#include "app/scenes.h"
+#include "window/details_pane.h"
+#include "window/main_window.h"
+#include "window/outline_pane.h"
+#include "window/picture_pane.h"
+#include "window/run.h"
+#include "window/scene_pane.h"
+
+namespace raytree::inspector {
+
+class WindowTest : public QObject {
+    Q_OBJECT
+
+  private:
+    State state_;
+    std::unique_ptr<MainWindow> window_;
+
+    std::size_t outline_ray() const {
+        const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
+        return model->row(window_->outline_pane().currentIndex()).ray;
+    }
+    QWidget* canvas() const { return window_->scene_pane().focusProxy(); }
+    void check_linked(std::size_t ray) const {
+        QCOMPARE(state_.selected()->id, ray);
+        QCOMPARE(outline_ray(), ray);
+        QVERIFY(window_->details_pane().toPlainText().contains(QStringLiteral("#%1").arg(ray)));
+    }
+
+  private Q_SLOTS:
+    void initTestCase() {
+        window_ = std::make_unique<MainWindow>(state_);
+        window_->resize(1280, 800);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        state_.show(test::opened(test::glass_ball_scene()));
+        QTRY_VERIFY(window_->feed().done());
+        QTRY_VERIFY(window_->scene_pane().frames() > 0);
+    }
+
+    void init() {
+        QApplication::setActiveWindow(window_.get());  // where no window manager does
+        state_.pick({0, 0});
+        state_.pick({40, 30});
+        state_.request(Request::from_side);
+        QTest::qWait(50);
+    }
+
+    void a_click_in_the_picture_chooses_the_pixel() {
+        PicturePane& picture = window_->picture_pane();
+        QTest::mouseClick(&picture, Qt::LeftButton, {}, picture.place_of({12, 34}).toPoint());
+        QCOMPARE(state_.pixel().i, 12);
+        QCOMPARE(state_.pixel().j, 34);
+        check_linked(0);
+    }
+
+    void a_drag_in_the_picture_chooses_where_it_ends() {
+        PicturePane& picture = window_->picture_pane();
+        QTest::mousePress(&picture, Qt::LeftButton, {}, picture.place_of({10, 10}).toPoint());
+        const QPointF end = picture.place_of({50, 20});
+        QMouseEvent move(QEvent::MouseMove, end, Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(&picture, &move);
+        QTest::mouseRelease(&picture, Qt::LeftButton, {}, end.toPoint());
+        QCOMPARE(state_.pixel().i, 50);
+        QCOMPARE(state_.pixel().j, 20);
+    }
+
+    void arrows_move_the_pixel() {
+        window_->picture_pane().setFocus();
+        QTest::keyClick(&window_->picture_pane(), Qt::Key_Right);
+        QTest::keyClick(&window_->picture_pane(), Qt::Key_Down, Qt::ShiftModifier);
+        QCOMPARE(state_.pixel().i, 41);
+        QCOMPARE(state_.pixel().j, 40);
+    }
+
+    void the_wheel_zooms_about_the_cursor() {
+        PicturePane& picture = window_->picture_pane();
+        const QPointF at = picture.place_of({40, 30});
+        const double before = picture.place_of({41, 30}).x() - at.x();
+        QWheelEvent wheel(at, picture.mapToGlobal(at.toPoint()), {}, {0, 120}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        for (int k = 0; k < 8; ++k) {
+            QApplication::sendEvent(&picture, &wheel);
+        }
+        QVERIFY(picture.place_of({41, 30}).x() - picture.place_of({40, 30}).x() > 3 * before);
+        QVERIFY((picture.place_of({40, 30}) - at).manhattanLength() < 8);
+        state_.request(Request::fit_picture);
+        QVERIFY(std::abs(picture.place_of({40, 30}).x() - at.x()) < 0.01);
+    }
+
+    void keys_step_through_the_tree() {
+        canvas()->setFocus();
+        QTest::keyClick(canvas(), Qt::Key_N);
+        check_linked(1);
+        QTest::keyClick(canvas(), Qt::Key_N);
+        check_linked(2);
+        QTest::keyClick(canvas(), Qt::Key_B);
+        check_linked(1);
+        QTest::keyClick(canvas(), Qt::Key_P);
+        check_linked(0);
+    }
+
+    void a_row_of_the_outline_selects_its_ray() {
+        const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
+        const QModelIndex index = model->index_of_ray(3);
+        window_->outline_pane().setCurrentIndex(index);
+        check_linked(3);
+    }
+
+    void a_click_in_3d_selects_the_ray_under_it() {
+        ScenePane& pane = window_->scene_pane();
+        for (const RayPath& path : pane.paths()) {
+            const QPoint at = pane.place_of(path.from + (path.to - path.from) * 0.45)->toPoint();
+            const auto nearest = path_at(pane.paths(), pane.view(), at.x(), at.y(), 9);
+            if (!pane.rect().contains(at) || pane.paths()[nearest.value()].ray != path.ray) {
+                continue;  // another ray is nearer on the screen
+            }
+            QTest::mouseClick(canvas(), Qt::LeftButton, {}, at);
+            check_linked(path.ray);
+        }
+    }
+
+    void a_drag_in_3d_turns_the_view_and_selects_nothing() {
+        const Point3 before = window_->scene_pane().view().eye;
+        QTest::mousePress(canvas(), Qt::LeftButton, {}, {200, 200});
+        for (int x = 200; x <= 260; x += 20) {
+            QMouseEvent move(QEvent::MouseMove, QPointF(x, 200), Qt::NoButton, Qt::LeftButton, {});
+            QApplication::sendEvent(canvas(), &move);
+        }
+        QTest::mouseRelease(canvas(), Qt::LeftButton, {}, {260, 200});
+        QVERIFY(window_->scene_pane().view().eye != before);
+        QCOMPARE(state_.selected()->id, std::size_t{0});
+    }
+
+    void switches_and_theme_follow_the_state() {
+        QTest::keyClick(canvas(), Qt::Key_T);
+        QVERIFY(state_.look().theme == Theme::dark);
+        QTest::keyClick(canvas(), Qt::Key_S);
+        QVERIFY(state_.look().hidden.contains(RayKind::shadow));
+        QTest::keyClick(canvas(), Qt::Key_S);
+        QTest::keyClick(canvas(), Qt::Key_T);
+        QVERIFY(state_.look().hidden.empty());
+        QVERIFY(state_.look().theme == Theme::light);
+    }
+
+    void keys_act_in_the_outline_too() {
+        window_->outline_pane().setFocus();
+        QTest::keyClick(&window_->outline_pane(), Qt::Key_N);
+        check_linked(1);
+        const QModelIndex before = window_->outline_pane().currentIndex();
+        QTest::keyClick(&window_->outline_pane(), Qt::Key_Down);  // goes to the next row
+        QVERIFY(window_->outline_pane().currentIndex() != before);
+        check_linked(state_.selected()->id);
+    }
+
+    void a_broken_file_is_told_in_a_dialog_and_changes_nothing() {
+        const auto before = state_.document();
+        QString told;
+        QTimer::singleShot(100, [&] {
+            auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            told = box ? box->informativeText() : QString();
+            if (box) {
+                box->close();
+            }
+        });
+        window_->open(QStringLiteral("/no/such/scene.json"));
+        QVERIFY2(told.contains(QStringLiteral("/no/such/scene.json")), qPrintable(told));
+        QVERIFY(state_.document() == before);
+    }
+
+    void the_cheat_sheet_lists_the_commands() {
+        QTest::keyClick(canvas(), Qt::Key_F1);
+        auto* const list = window_->findChild<QTreeWidget*>();
+        QVERIFY(list);
+        QVERIFY(list->topLevelItemCount() > 20);
+        list->window()->close();
+    }
+
+    void the_3d_view_shows_the_colours_of_its_rays() {
+        QTest::qWait(100);
+        const QImage image = window_->scene_pane().grab().toImage();
+        const auto near = [&](QColor colour) {
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor at = image.pixelColor(x, y);
+                    count += std::abs(at.red() - colour.red()) < 40 &&
+                             std::abs(at.green() - colour.green()) < 40 &&
+                             std::abs(at.blue() - colour.blue()) < 40;
+                }
+            }
+            return count;
+        };
+        const Palette& palette = palette_of(Theme::light);
+        for (const RayLook look : {RayLook::reflected, RayLook::refracted, RayLook::lit}) {
+            const Ink ink = palette[look];
+            QVERIFY2(near(QColor(ink.r, ink.g, ink.b)) > 150, text_of(look).name.data());
+        }
+    }
+};
+
+}  // namespace raytree::inspector
+
+int main(int argc, char** argv) {
+    raytree::inspector::prepare_qt();
+    QApplication application(argc, argv);
+    raytree::inspector::WindowTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_test.moc"
