@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "check/film.h"
 #include "check/replay.h"
 #include "formats/did_you_mean.h"
 #include "scene/input_error.h"
@@ -12,17 +13,8 @@
 namespace raytree::check {
 namespace {
 
-/// The ray through the point of the window that lies (u, v) of its width and height from the upper
-/// left corner.
 Beam through_window(const Place& place, double u, double v) {
-    const auto& camera = place.camera;
-    const Camera& given = place.scene().camera;
-    const double sample = place.scene().settings.pixel_sample == PixelSample::center ? 0.5 : 0;
-    const double column = u * given.width - sample;
-    const double row = v * given.height - sample;
-    const double x = camera.xp(0) + column * (camera.xp(1) - camera.xp(0));
-    const double y = camera.yp(0) + row * (camera.yp(1) - camera.yp(0));
-    return {given.eye, camera.forward().vec() + x * camera.right().vec() + y * camera.up()};
+    return beam_through(place, film_at(place, u, v));
 }
 
 template <int half_columns, int half_rows> Beam sampled_at(const Place& place, const Step& step) {

@@ -1,8 +1,214 @@
 #include "check/diagnose.h"
 
-namespace raytree::check {
+#include <algorithm>
+#include <set>
 
-void diagnose(const Place&, const Names&, const Laws&, const Submission&, const ReplayOptions&,
-              Report&) {}
+#include "check/catalogue.h"
+
+namespace raytree::check {
+namespace {
+
+constexpr std::size_t rays_looked_at = 400;   // enough to tell mistakes apart
+constexpr std::size_t tried_with_others = 3;  // the best, in search of pairs
+
+/// What is wrong, for telling one difference from another.
+using Key = std::uint64_t;
+Key key_of(const Finding& finding) {
+    return (finding.ray * 4 + static_cast<Key>(finding.problem)) * 64 +
+           (finding.problem == Problem::differs ? place_of(finding.field)
+                                                : static_cast<Key>(finding.kind));
+}
+
+struct Candidate {
+    std::vector<const MistakeRow*> rows;
+    std::size_t left = 0;  ///< causes that it does not explain
+    bool explains_first = false;
+    std::set<std::size_t> rays;  ///< that are wrong still
+};
+
+class Search {
+  public:
+    Search(const Place& place, const Names& names, const Laws& laws, const Submission& submission,
+           ReplayOptions options, const Report& report)
+        : place_(place), names_(names), laws_(laws), submission_(submission), options_(options) {
+        for (const Finding& finding : report.findings) {
+            if (!finding.follows_from && finding.problem != Problem::whole) {
+                held_.insert(key_of(finding));
+                rays_.insert(finding.ray);
+                first_ = first_ ? first_ : std::optional(key_of(finding));
+            }
+        }
+        // By the truth alone some differences are not held against it: nor are they here.
+        options_.truth = nullptr;
+        options_.most_rays = rays_looked_at;
+        for (const Key key : keys_under(laws_, ~std::size_t{0})) {
+            if (!held_.contains(key)) {
+                excused_.insert(key);
+            }
+        }
+        all_ = std::max<std::size_t>(held_.size(), 1);
+    }
+
+    bool any() const { return first_.has_value(); }
+    std::size_t all() const { return all_; }
+    const std::set<std::size_t>& rays() const { return rays_; }
+
+    Candidate attempt(std::vector<const MistakeRow*> rows, std::size_t enough) const {
+        Laws changed = laws_;
+        for (const MistakeRow* row : rows) {
+            row->apply(changed);
+        }
+        Candidate candidate;
+        candidate.rows = std::move(rows);
+        candidate.explains_first = true;
+        for (const Key key : keys_under(changed, enough + excused_.size() + 1)) {
+            if (!excused_.contains(key)) {
+                ++candidate.left;
+                candidate.rays.insert(key / 256);
+                candidate.explains_first = candidate.explains_first && key != *first_;
+            }
+        }
+        return candidate;
+    }
+
+  private:
+    std::vector<Key> keys_under(const Laws& laws, std::size_t enough) const {
+        ReplayOptions options = options_;
+        options.enough = enough;
+        Replay replay(place_, names_, laws, submission_, options);
+        replay.run();
+        std::vector<Key> keys;
+        for (const Finding& finding : replay.findings()) {
+            if (!finding.follows_from) {
+                keys.push_back(key_of(finding));
+            }
+        }
+        return keys;
+    }
+
+    const Place& place_;
+    const Names& names_;
+    const Laws& laws_;
+    const Submission& submission_;
+    ReplayOptions options_;
+    std::set<Key> held_, excused_;
+    std::set<std::size_t> rays_;
+    std::optional<Key> first_;
+    std::size_t all_ = 1;
+};
+
+/// The fewest left first; of equals in the order of the catalogue.
+std::vector<Candidate> singles(const Search& search) {
+    std::vector<Candidate> found;
+    for (const MistakeRow& row : catalogue()) {
+        Candidate candidate = search.attempt({&row}, search.all());
+        if (candidate.explains_first && candidate.left < search.all()) {
+            found.push_back(std::move(candidate));
+        }
+    }
+    std::ranges::stable_sort(found, {}, &Candidate::left);
+    return found;
+}
+
+/// Pairs that leave nothing; none where there is none.
+std::vector<Candidate> pairs(const Search& search, const std::vector<Candidate>& best) {
+    std::vector<Candidate> found;
+    for (std::size_t k = 0; k < best.size() && k < tried_with_others; ++k) {
+        const MistakeRow* const one = best[k].rows.front();
+        for (const MistakeRow& other : catalogue()) {
+            if (&other == one) {
+                continue;
+            }
+            for (const bool swapped : {false, true}) {
+                std::vector<const MistakeRow*> rows{one, &other};
+                if (swapped) {
+                    std::swap(rows[0], rows[1]);
+                }
+                Candidate candidate = search.attempt(rows, 0);
+                if (candidate.left == 0) {
+                    candidate.rows = {one, &other};
+                    found.push_back(std::move(candidate));
+                    break;
+                }
+            }
+        }
+        if (!found.empty()) {
+            break;
+        }
+    }
+    return found;
+}
+
+NamedMistake named(const MistakeRow& row) {
+    NamedMistake mistake;
+    mistake.id = row.id;
+    mistake.text = row.text;
+    mistake.topic = row.topic;
+    return mistake;
+}
+
+std::size_t explained(const Search& search, const Candidate& candidate) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        search.rays(), [&](std::size_t ray) { return !candidate.rays.contains(ray); }));
+}
+
+/// What the named mistake makes wrong again and again is one mistake.
+void join_causes(Report& report) {
+    std::optional<std::size_t> first;
+    for (std::size_t k = 0; k < report.findings.size(); ++k) {
+        Finding& finding = report.findings[k];
+        if (finding.problem == Problem::whole || finding.follows_from) {
+            continue;
+        }
+        if (first) {
+            finding.follows_from = first;
+        }
+        first = first ? first : std::optional(k);
+    }
+}
+
+}  // namespace
+
+void diagnose(const Place& place, const Names& names, const Laws& laws,
+              const Submission& submission, const ReplayOptions& options, Report& report) {
+    const Search search(place, names, laws, submission, options, report);
+    if (!search.any()) {
+        return;
+    }
+    const std::vector<Candidate> alone = singles(search);
+    if (alone.empty()) {
+        return;
+    }
+    const std::size_t fewest = alone.front().left;
+    const auto as_good =
+        std::ranges::count_if(alone, [&](const Candidate& c) { return c.left == fewest; });
+    if (fewest > 0) {
+        const std::vector<Candidate> two = pairs(search, alone);
+        if (!two.empty()) {
+            for (const MistakeRow* row : two.front().rows) {
+                report.mistakes.push_back(named(*row));
+                report.mistakes.back().sure = two.size() == 1;
+                report.mistakes.back().rays = explained(search, two.front());
+            }
+            for (std::size_t k = 1; k < two.size(); ++k) {
+                report.mistakes.back().ties.emplace_back(two[k].rows.back()->id);
+            }
+            return;
+        }
+        if (2 * fewest > search.all()) {
+            return;  // it explains too little to be named
+        }
+    }
+    NamedMistake best = named(*alone.front().rows.front());
+    best.sure = fewest == 0 && as_good == 1;
+    best.rays = explained(search, alone.front());
+    for (std::ptrdiff_t k = 1; k < as_good; ++k) {
+        best.ties.emplace_back(alone[static_cast<std::size_t>(k)].rows.front()->id);
+    }
+    report.mistakes.push_back(std::move(best));
+    if (fewest == 0) {
+        join_causes(report);
+    }
+}
 
 }  // namespace raytree::check

@@ -1,0 +1,459 @@
+#include <algorithm>
+#include <cmath>
+
+#include "check/catalogue.h"
+#include "trace/shading.h"
+
+namespace raytree::check {
+namespace {
+
+constexpr std::string_view topic = "local illumination";
+
+bool always(const Step&, const Shine&) { return true; }
+
+double fading(const Shine& shine) {
+    return shine.ready->directional ? 1 : shine.ready->attenuation.at(shine.distance);
+}
+
+Spectrum arriving(const Shine& shine) {
+    return fading(shine) * (shine.ready->intensity * shine.transmittance);
+}
+
+Vec viewer(const Step& step) { return -step.direction; }
+
+double power(double h, double exponent) {
+    // Of a negative number, as pow has it for whole exponents.
+    return h < 0 ? (std::fmod(std::abs(exponent), 2) == 1 ? -1 : 1) * std::pow(-h, exponent)
+                 : std::pow(h, exponent);
+}
+
+/// The highlight with another cosine h; where the model has none (n . L <= 0), none.
+Spectrum highlight(const Step& step, const Shine& shine, double h) {
+    return power(h, step.ready->shininess) * (step.ready->specular * arriving(shine));
+}
+
+double h_of(const Place& place, const Step& step, const Shine& shine) {
+    return specular_cosine(place.scene().settings.specular_model, step.normal, shine.towards,
+                           viewer(step));
+}
+
+/// R . V, not clamped.
+double mirrored_cosine(const Step& step, const Shine& shine) {
+    return inner(mirrored(shine.towards, step.normal), viewer(step));
+}
+
+Spectrum with_viewer(const Place& place, const Step& step, const Shine& shine, const Vec& v) {
+    return highlight(
+        step, shine,
+        specular_cosine(place.scene().settings.specular_model, step.normal, shine.towards, v));
+}
+
+Spectrum divided(const Spectrum& a, const Spectrum& b) {
+    const auto by = [](double x, double y) { return y != 0 ? x / y : 0; };
+    return {by(a.r, b.r), by(a.g, b.g), by(a.b, b.b)};
+}
+
+/// The light with its fading exchanged.
+template <class Fade> void fade_by(Laws& laws, Fade) {
+    laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+        return Fade{}(shine) / fading(shine) * model::diffuse(place, step, shine);
+    };
+    laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+        return Fade{}(shine) / fading(shine) * model::specular(place, step, shine);
+    };
+}
+
+double fall_off(double a, double b, double c, double d) {
+    return std::min(1.0, 1 / (a + b * d + c * d * d));
+}
+
+/// Both terms times a factor of the material and the light.
+template <class Factor> void scale_by(Laws& laws, Factor) {
+    laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+        return Factor{}(place, step, shine) * model::diffuse(place, step, shine);
+    };
+    laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+        return Factor{}(place, step, shine) * model::specular(place, step, shine);
+    };
+}
+
+Spectrum scene_ambient(const Place& place) { return place.scene().ambient; }
+
+const MistakeRow rows[] = {
+    {"lit.ambient_missing", "Ambient light is missing.", topic,
+     [](Laws& laws) { laws.ambient = [](const Place&, const Step&) { return Spectrum(0.0); }; }},
+    {"lit.ambient_no_color", "Ambient light does not take the surface's colour.", topic,
+     [](Laws& laws) {
+         laws.ambient = [](const Place& place, const Step& step) {
+             return step.material->ka * scene_ambient(place);
+         };
+     }},
+    {"lit.ambient_no_ka", "Ambient light is not multiplied by ka.", topic,
+     [](Laws& laws) {
+         laws.ambient = [](const Place& place, const Step& step) {
+             return step.material->color * scene_ambient(place);
+         };
+     }},
+    {"lit.ambient_no_scene", "Ambient light is not multiplied by the scene's.", topic,
+     [](Laws& laws) {
+         laws.ambient = [](const Place&, const Step& step) {
+             return step.material->ka * step.material->color;
+         };
+     }},
+    {"lit.ambient_uses_kd", "Ambient light is multiplied by kd instead of ka.", topic,
+     [](Laws& laws) {
+         laws.ambient = [](const Place& place, const Step& step) {
+             return step.material->kd * step.material->color * scene_ambient(place);
+         };
+     }},
+    {"lit.ambient_per_light", "Ambient light is added once for each light.", topic,
+     [](Laws& laws) {
+         laws.ambient = [](const Place& place, const Step& step) {
+             return static_cast<double>(place.lights.size()) * step.ready->ambient;
+         };
+     }},
+    {"lit.L_reversed", "The direction to the light is the wrong way round.", topic,
+     [](Laws& laws) {
+         laws.towards = [](const Place& place, const Step& step, std::size_t light) {
+             Towards at = model::towards(place, step, light);
+             at.towards = -at.towards;
+             return at;
+         };
+     }},
+    {"lit.L_not_normalised", "The direction to the light is not made unit.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+             const double size = shine.ready->directional ? 1 : shine.distance;
+             return size * model::diffuse(place, step, shine);
+         };
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             const double size = shine.ready->directional ? 1 : shine.distance;
+             return highlight(step, shine, size * h_of(place, step, shine));
+         };
+     }},
+    {"lit.L_not_normalised_diffuse", "n . L is computed with an L that is not unit.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+             const double size = shine.ready->directional ? 1 : shine.distance;
+             return size * model::diffuse(place, step, shine);
+         };
+     }},
+    {"lit.L_is_position", "The light's position is used as the direction to it.", topic,
+     [](Laws& laws) {
+         laws.towards = [](const Place& place, const Step& step, std::size_t light) {
+             Towards at = model::towards(place, step, light);
+             if (!place.lights[light].directional) {
+                 at.towards = model::unit(place.lights[light].position);
+             }
+             return at;
+         };
+     }},
+    {"lit.L_from_eye", "The direction to the light is taken from the eye.", topic,
+     [](Laws& laws) {
+         laws.towards = [](const Place& place, const Step& step, std::size_t light) {
+             Step eye = step;
+             eye.point = place.scene().camera.eye;
+             return model::towards(place, eye, light);
+         };
+     }},
+    {"lit.directional_sign", "A directional light shines from where it goes to.", topic,
+     [](Laws& laws) {
+         laws.towards = [](const Place& place, const Step& step, std::size_t light) {
+             Towards at = model::towards(place, step, light);
+             at.towards = place.lights[light].directional ? -at.towards : at.towards;
+             return at;
+         };
+     }},
+    {"lit.ndotl_unclamped", "n . L is not clamped: lights behind the surface take light away.",
+     topic,
+     [](Laws& laws) {
+         laws.faces = always;
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.cosine > 0 ? model::specular(place, step, shine) : Spectrum(0.0);
+         };
+     }},
+    {"lit.ndotl_abs", "|n . L| is used: lights behind the surface light it too.", topic,
+     [](Laws& laws) {
+         laws.faces = always;
+         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+             return (shine.cosine < 0 ? -1.0 : 1.0) * model::diffuse(place, step, shine);
+         };
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.cosine > 0 ? model::specular(place, step, shine) : Spectrum(0.0);
+         };
+     }},
+    {"lit.spec_on_backface", "Highlights appear where the light is behind the surface.", topic,
+     [](Laws& laws) {
+         laws.faces = always;
+         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.cosine > 0 ? model::diffuse(place, step, shine) : Spectrum(0.0);
+         };
+     }},
+    {"lit.diffuse_no_cosine", "Diffuse light is not multiplied by n . L.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step& step, const Shine& shine) {
+             return step.ready->diffuse * arriving(shine);
+         };
+     }},
+    {"lit.diffuse_no_color", "Diffuse light does not take the surface's colour.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step& step, const Shine& shine) {
+             return shine.cosine * (step.material->kd * arriving(shine));
+         };
+     }},
+    {"lit.kd_missing", "Diffuse light is not multiplied by kd.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step& step, const Shine& shine) {
+             return shine.cosine * (step.material->color * arriving(shine));
+         };
+     }},
+    {"lit.ks_missing", "The highlight is not multiplied by ks.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return std::pow(h_of(place, step, shine), step.ready->shininess) *
+                    (step.material->specular_color * arriving(shine));
+         };
+     }},
+    {"lit.light_color_ignored", "The light's intensity is ignored.", topic,
+     [](Laws& laws) {
+         scale_by(laws, [](const Place&, const Step&, const Shine& shine) {
+             return divided(Spectrum(1.0), shine.ready->intensity);
+         });
+     }},
+    {"lit.spec_no_light_color", "The highlight does not take the light's intensity.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return divided(model::specular(place, step, shine), shine.ready->intensity);
+         };
+     }},
+    {"lit.ks_kd_swapped", "kd and ks are exchanged.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step& step, const Shine& shine) {
+             return shine.cosine * (step.material->ks * (step.material->color * arriving(shine)));
+         };
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return std::pow(h_of(place, step, shine), step.ready->shininess) *
+                    (step.material->kd * (step.material->specular_color * arriving(shine)));
+         };
+     }},
+    {"lit.componentwise_dot", "N * L is multiplied component by component instead of n . L.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step& step, const Shine& shine) {
+             const Vec p = step.normal * shine.towards;
+             return Spectrum(p.x, p.y, p.z) * (step.ready->diffuse * arriving(shine));
+         };
+     }},
+    {"lit.diffuse_missing", "Diffuse light is missing.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place&, const Step&, const Shine&) { return Spectrum(0.0); };
+     }},
+    {"lit.spec_missing", "Highlights are missing.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step&, const Shine&) { return Spectrum(0.0); };
+     }},
+    {"lit.att_missing", "Lights do not fade with distance.", topic,
+     [](Laws& laws) { fade_by(laws, [](const Shine&) { return 1.0; }); }},
+    {"lit.att_twice", "Lights fade twice: the factor is squared.", topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) { return fading(shine) * fading(shine); });
+     }},
+    {"lit.att_swapped", "The linear and the quadratic coefficient of a light are exchanged.", topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             const auto& f = shine.ready->attenuation;
+             return shine.ready->directional ? 1.0 : fall_off(f.a, f.c, f.b, shine.distance);
+         });
+     }},
+    {"lit.att_no_square", "The quadratic coefficient is multiplied by d and not by d squared.",
+     topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             const auto& f = shine.ready->attenuation;
+             return shine.ready->directional ? 1.0 : fall_off(f.a, f.b + f.c, 0, shine.distance);
+         });
+     }},
+    {"lit.att_inverse_square", "Lights fade with 1 / d^2, whatever the scene says.", topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             return shine.ready->directional ? 1.0 : 1 / (shine.distance * shine.distance);
+         });
+     }},
+    {"lit.att_unclamped", "The factor of fading is not limited to 1.", topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             const auto& f = shine.ready->attenuation;
+             const double d = shine.distance;
+             return shine.ready->directional ? 1.0 : 1 / (f.a + f.b * d + f.c * d * d);
+         });
+     }},
+    {"lit.R_sign", "The mirrored light direction has the wrong sign.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, std::max(0.0, -mirrored_cosine(step, shine)));
+         };
+     }},
+    {"lit.V_is_ray_dir", "V is the ray's direction and not its opposite.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return with_viewer(place, step, shine, step.direction);
+         };
+     }},
+    {"lit.R_paren", "R = 2 (n . L) (n - L) is written for 2 (n . L) n - L.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             const Vec r = 2 * shine.cosine * (step.normal - shine.towards);
+             return highlight(step, shine, std::max(0.0, inner(r, viewer(step))));
+         };
+     }},
+    {"lit.R_no_factor2", "The factor 2 is missing in the mirrored light direction.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             const Vec r = shine.cosine * step.normal - shine.towards;
+             return highlight(step, shine, std::max(0.0, inner(r, viewer(step))));
+         };
+     }},
+    {"lit.blinn", "The other model of highlights is used: N . H for R . V, or the reverse.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             const bool phong = place.scene().settings.specular_model == SpecularModel::phong;
+             return highlight(step, shine,
+                              specular_cosine(phong ? SpecularModel::blinn : SpecularModel::phong,
+                                              step.normal, shine.towards, viewer(step)));
+         };
+     }},
+    {"lit.half_not_normalised", "The half vector (L + V) / 2 is not made unit.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             const Vec h = 0.5 * (shine.towards + viewer(step));
+             return highlight(step, shine, std::max(0.0, inner(h, step.normal)));
+         };
+     }},
+    {"lit.exponent_x4", "The exponent is four times too large.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return std::pow(h_of(place, step, shine), 4 * step.ready->shininess) *
+                    (step.ready->specular * arriving(shine));
+         };
+     }},
+    {"lit.exponent_quarter", "The exponent is four times too small.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return std::pow(h_of(place, step, shine), step.ready->shininess / 4) *
+                    (step.ready->specular * arriving(shine));
+         };
+     }},
+    {"lit.exponent_ignored", "The exponent is ignored.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return h_of(place, step, shine) * (step.ready->specular * arriving(shine));
+         };
+     }},
+    {"lit.exponent_multiplied", "The cosine is multiplied by the exponent instead of raised to it.",
+     topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return step.ready->shininess * h_of(place, step, shine) *
+                    (step.ready->specular * arriving(shine));
+         };
+     }},
+    {"lit.V_from_camera", "V points to the eye for reflected and refracted rays too.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return with_viewer(place, step, shine,
+                                model::unit(place.scene().camera.eye - step.point));
+         };
+     }},
+    {"lit.V_not_negated_point", "V is the hit point made unit.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return with_viewer(place, step, shine, model::unit(step.point));
+         };
+     }},
+    {"lit.spec_uses_VdotN", "The highlight is computed from V . n.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, std::max(0.0, inner(viewer(step), step.normal)));
+         };
+     }},
+    {"lit.spec_uses_LdotV", "The highlight is computed from L . V.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, std::max(0.0, inner(viewer(step), shine.towards)));
+         };
+     }},
+    {"lit.spec_uses_LdotN", "The highlight is computed from L . n.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, std::max(0.0, shine.cosine));
+         };
+     }},
+    {"lit.spec_unclamped", "R . V is not clamped: its odd powers take light away.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, mirrored_cosine(step, shine));
+         };
+     }},
+    {"lit.spec_abs", "|R . V| is used: highlights appear on the far side.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
+             return highlight(step, shine, std::abs(mirrored_cosine(step, shine)));
+         };
+     }},
+    {"lit.spec_times_base", "The highlight takes the surface's colour.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return step.material->color * model::specular(place, step, shine);
+         };
+     }},
+    {"lit.spec_times_ndotl", "The highlight is multiplied by n . L.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.cosine * model::specular(place, step, shine);
+         };
+     }},
+    {"lit.averaged_over_lights", "The lights are averaged and not added.", topic,
+     [](Laws& laws) {
+         scale_by(laws, [](const Place& place, const Step&, const Shine&) {
+             return 1.0 / static_cast<double>(place.lights.size());
+         });
+     }},
+    {"lit.only_last_light", "Only the last light counts: each overwrites the one before.", topic,
+     [](Laws& laws) {
+         scale_by(laws, [](const Place& place, const Step&, const Shine& shine) {
+             return shine.light + 1 == place.lights.size() ? 1.0 : 0.0;
+         });
+     }},
+    {"lit.only_first_light", "Only the first light counts.", topic,
+     [](Laws& laws) {
+         scale_by(laws, [](const Place&, const Step&, const Shine& shine) {
+             return shine.light == 0 ? 1.0 : 0.0;
+         });
+     }},
+    {"lit.clamped_early", "Local light is clamped to 1 before reflections are added.", topic,
+     [](Laws& laws) {
+         laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
+             const Spectrum sum = terms.ambient + terms.diffuse + terms.specular;
+             Terms clamped = terms;
+             clamped.diffuse = clamped.specular = Spectrum(0.0);
+             clamped.ambient = {std::min(1.0, sum.r), std::min(1.0, sum.g), std::min(1.0, sum.b)};
+             return model::combine(place, step, clamped);
+         };
+     }},
+    {"lit.local_tinted_twice", "Local light is multiplied by the surface's colour once more.",
+     topic,
+     [](Laws& laws) {
+         laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
+             Terms tinted = terms;
+             for (Spectrum* term : {&tinted.ambient, &tinted.diffuse, &tinted.specular}) {
+                 *term *= step.material->color;
+             }
+             return model::combine(place, step, tinted);
+         };
+     }},
+};
+
+}  // namespace
+
+std::span<const MistakeRow> light_mistakes() { return rows; }
+
+}  // namespace raytree::check

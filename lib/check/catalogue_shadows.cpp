@@ -1,0 +1,218 @@
+#include <algorithm>
+
+#include "check/catalogue.h"
+
+namespace raytree::check {
+namespace {
+
+constexpr std::string_view topic = "shadows";
+
+/// What stands in the way from `origin` towards `direction`, nearer than `distance`, among the
+/// hits that `counts`.
+template <class Counts> Passage between(const Place& place, const Vec& origin, const Vec& direction,
+                                        PrimitiveId leaving, double distance, Counts counts) {
+    NoTestCount none;
+    const Interval<double> interval{0, distance * (1 - 8 * Real<double>::unit_roundoff)};
+    const Ray<double> ray{origin, direction, model::origin_error(origin)};
+    for (const Hit<double>& hit : place.shapes.all(ray, leaving, interval, none)) {
+        if (counts(hit)) {
+            return {Spectrum(0.0), hit.primitive, hit.t};
+        }
+    }
+    return {};
+}
+
+bool any_hit(const Hit<double>&) { return true; }
+
+bool wanted(const Place& place) { return place.scene().settings.shadows != ShadowMode::none; }
+
+Passage up_to(const Place& place, const Step& step, const Shine& shine, double distance) {
+    Shine other = shine;
+    other.distance = distance;
+    return model::shadow(place, step, other);
+}
+
+template <class Counts>
+Passage only(const Place& place, const Step& step, const Shine& shine, Counts counts) {
+    return wanted(place)
+               ? between(place, step.point, shine.towards, step.primitive, shine.distance, counts)
+               : Passage{};
+}
+
+Passage own_surface(const Place& place, const Step& step, const Shine&) {
+    return wanted(place) ? Passage{Spectrum(0.0), step.primitive, 0} : Passage{};
+}
+
+std::size_t object_of(const Place& place, PrimitiveId primitive) {
+    return place.shapes.shapes()[primitive].object;
+}
+
+const Material& material_of(const Place& place, PrimitiveId primitive) {
+    return place.scene().materials[place.scene().objects[object_of(place, primitive)].material];
+}
+
+Passage inverted(const Place& place, const Step& step, const Shine& shine) {
+    Passage passage = model::shadow(place, step, shine);
+    if (wanted(place)) {
+        const bool dark = is_zero(passage.transmittance);
+        passage.transmittance = Spectrum(dark ? 1.0 : 0.0);
+    }
+    return passage;
+}
+
+const MistakeRow rows[] = {
+    {"shd.missing", "There are no shadows: no light is ever blocked.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place&, const Step&, const Shine&) { return Passage{}; };
+     }},
+    {"shd.inverted", "Only what lies in shadow is lit.", topic,
+     [](Laws& laws) { laws.shadow = inverted; }},
+    {"shd.no_offset", "The shadow ray meets the surface that it starts on.", topic,
+     [](Laws& laws) { laws.shadow = own_surface; }},
+    {"shd.from_light", "The shadow ray starts at the light and meets the lit surface itself.",
+     topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             if (!wanted(place) || shine.ready->directional) {
+                 return model::shadow(place, step, shine);
+             }
+             const Passage first = between(place, shine.ready->position, Vec(-shine.towards),
+                                           no_primitive, Real<double>::infinity, any_hit);
+             return first.blocker == no_primitive
+                        ? Passage{Spectrum(0.0), step.primitive, shine.distance}
+                        : first;
+         };
+     }},
+    {"shd.from_eye", "The shadow ray starts at the eye and not at the hit.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step&, const Shine& shine) {
+             return wanted(place) ? between(place, place.scene().camera.eye, shine.towards,
+                                            no_primitive, shine.distance, any_hit)
+                                  : Passage{};
+         };
+     }},
+    {"shd.unlimited", "Objects behind the light cast shadows too.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return up_to(place, step, shine, Real<double>::infinity);
+         };
+     }},
+    {"shd.unnormalised_tmax",
+     "The light's distance limits a shadow ray whose direction is not unit.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return up_to(place, step, shine, shine.distance * shine.distance);
+         };
+     }},
+    {"shd.tmax_one_unit", "Only what is nearer than 1 blocks the light, though L is unit.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return up_to(place, step, shine, std::min(1.0, shine.distance));
+         };
+     }},
+    {"shd.reversed", "The shadow ray goes away from the light.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             Shine other = shine;
+             other.towards = -shine.towards;
+             return model::shadow(place, step, other);
+         };
+     }},
+    {"shd.only_first_object", "Only the first object of the scene casts shadows.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return only(place, step, shine, [&](const Hit<double>& hit) {
+                 return object_of(place, hit.primitive) == 0;
+             });
+         };
+     }},
+    {"shd.skip_self", "An object never casts a shadow on itself.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return only(place, step, shine, [&](const Hit<double>& hit) {
+                 return object_of(place, hit.primitive) != object_of(place, step.primitive);
+             });
+         };
+     }},
+    {"shd.glass_casts_none", "Transparent objects cast no shadows.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return only(place, step, shine, [&](const Hit<double>& hit) {
+                 return is_zero(material_of(place, hit.primitive).kt);
+             });
+         };
+     }},
+    {"shd.glass_is_opaque", "Transparent objects block the light wholly.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return only(place, step, shine, any_hit);
+         };
+     }},
+    {"shd.tint_once", "Light through glass is tinted once, not at every crossing.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             Passage passage = model::shadow(place, step, shine);
+             if (place.scene().settings.shadows == ShadowMode::transmissive) {
+                 const Passage first = only(place, step, shine, any_hit);
+                 if (first.blocker != no_primitive) {
+                     passage.transmittance = material_of(place, first.blocker).kt;
+                 }
+             }
+             return passage;
+         };
+     }},
+    {"shd.only_first_light", "Only the first light casts shadows.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.light == 0 ? model::shadow(place, step, shine) : Passage{};
+         };
+     }},
+    {"shd.directional_none", "Directional lights cast no shadows.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return shine.ready->directional ? Passage{} : model::shadow(place, step, shine);
+         };
+     }},
+    {"shd.spec_not_shadowed", "The highlight is not shadowed, only diffuse light.", topic,
+     [](Laws& laws) {
+         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+             Shine lit = shine;
+             lit.transmittance = Spectrum(1.0);
+             return model::specular(place, step, lit);
+         };
+     }},
+    {"shd.diffuse_not_shadowed", "Diffuse light is not shadowed, only the highlight.", topic,
+     [](Laws& laws) {
+         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+             Shine lit = shine;
+             lit.transmittance = Spectrum(1.0);
+             return model::diffuse(place, step, lit);
+         };
+     }},
+    {"shd.half_dark", "A blocked light still gives half of its light.", topic,
+     [](Laws& laws) {
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             Passage passage = model::shadow(place, step, shine);
+             if (is_zero(passage.transmittance)) {
+                 passage.transmittance = Spectrum(0.5);
+             }
+             return passage;
+         };
+     }},
+    {"shd.kills_ambient", "In shadow the ambient light is lost as well.", topic,
+     [](Laws& laws) {
+         laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
+             Terms dark = terms;
+             if (is_zero(terms.diffuse) && is_zero(terms.specular)) {
+                 dark.ambient = Spectrum(0.0);
+             }
+             return model::combine(place, step, dark);
+         };
+     }},
+};
+
+}  // namespace
+
+std::span<const MistakeRow> shadow_mistakes() { return rows; }
+
+}  // namespace raytree::check
