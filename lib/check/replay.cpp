@@ -134,7 +134,8 @@ bool Replay::may_be(std::uint64_t key, std::int64_t word) const {
         return false;
     }
     const auto found = options_.slacks->find(key);
-    return found != options_.slacks->end() &&
+    // One answer alone is the model's own, and no excuse under other laws.
+    return found != options_.slacks->end() && found->second.words.size() > 1 &&
            std::ranges::find(found->second.words, word) != found->second.words.end();
 }
 

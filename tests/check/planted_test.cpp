@@ -77,6 +77,13 @@ void judge(const check::Checker& checker, const check::MistakeRow& row, const Sp
     const bool wrong = any && top.sure && !found;
     score.wrong_sure += wrong ? 1 : 0;
     score.single += report.causes() == 1 ? 1 : 0;
+    if (found && !top.ties.empty()) {
+        log += std::string(row.id) + " in " + spot.scene + ": " + top.id;
+        for (const std::string& tie : top.ties) {
+            log += " = " + tie;
+        }
+        log += '\n';
+    }
     if (!found) {
         log += std::string(row.id) + " in " + spot.scene + ' ' + std::to_string(spot.i) + ',' +
                std::to_string(spot.j) + ": " + (any ? "taken for " + top.id : "not named") +
