@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t most_truths = 64;  // kept for the next submission of the same pixel
 
+constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
+
 Finding of_the_whole(std::string subject, std::string reason) {
     Finding finding;
     finding.problem = Problem::whole;
@@ -156,6 +158,13 @@ void Checker::judge(const Submission& submission, const Laws& laws, Report& repo
     ReplayOptions options;
     options.rtol = options_.rtol;
     options.truth = truth.get();
+    if (submission.tree.rays.size() > 4 * truth->rays.size() + spare_rays) {
+        report.findings.push_back(of_the_whole(
+            "rays", "it has " + std::to_string(submission.tree.rays.size()) +
+                        " rays, the true tree has " + std::to_string(truth->rays.size()) +
+                        "; only the first are looked at"));
+        options.most_rays = spare_rays;
+    }
     Slacks slacks;
     std::optional<Replay> judged;
     const auto replay = [&] {

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t rays_looked_at = 400;   // enough to tell mistakes apart
 constexpr std::size_t tried_with_others = 3;  // the best, in search of pairs
+constexpr std::size_t most_causes_of_a_pair = 200;
+constexpr std::size_t left_of_a_pair = 2;  // by rounding, at most
 
 /// What is wrong, for telling one difference from another.
 using Key = std::uint64_t;
@@ -41,7 +43,7 @@ class Search {
         // By the truth alone some differences are not held against it: nor are they here.
         options_.truth = nullptr;
         options_.most_rays = rays_looked_at;
-        for (const Key key : keys_under(laws_, ~std::size_t{0})) {
+        for (const Key key : keys_under(laws_, options_.enough)) {
             if (!held_.contains(key)) {
                 excused_.insert(key);
             }
@@ -58,10 +60,30 @@ class Search {
         for (const MistakeRow* row : rows) {
             row->apply(changed);
         }
-        Candidate candidate;
+        Candidate candidate = left_by(keys_under(changed, enough + excused_.size() + 1));
+        const bool close =
+            rows.size() == 1 ? 4 * candidate.left <= all_ + few_ : candidate.left <= left_of_a_pair;
+        if (candidate.left > 0 && close && is_rounded()) {
+            // What the student's rounding does to a wrong formula is another thing than what it
+            // does to the right one.
+            ReplayOptions options = options_;
+            options.enough = 1000;
+            const Slacks own = slacks_of(place_, names_, changed, submission_, options);
+            candidate = left_by(keys_under(changed, options.enough, &own));
+        }
         candidate.rows = std::move(rows);
+        return candidate;
+    }
+
+  private:
+    bool is_rounded() const {
+        return submission_.precision.relative > 1e-12 || submission_.precision.absolute > 0;
+    }
+
+    Candidate left_by(const std::vector<Key>& keys) const {
+        Candidate candidate;
         candidate.explains_first = true;
-        for (const Key key : keys_under(changed, enough + excused_.size() + 1)) {
+        for (const Key key : keys) {
             if (!excused_.contains(key)) {
                 ++candidate.left;
                 candidate.rays.insert(key / 256);
@@ -71,10 +93,11 @@ class Search {
         return candidate;
     }
 
-  private:
-    std::vector<Key> keys_under(const Laws& laws, std::size_t enough) const {
+    std::vector<Key> keys_under(const Laws& laws, std::size_t enough,
+                                const Slacks* slacks = nullptr) const {
         ReplayOptions options = options_;
         options.enough = enough;
+        options.slacks = slacks ? slacks : options.slacks;
         Replay replay(place_, names_, laws, submission_, options);
         replay.run();
         std::vector<Key> keys;
@@ -86,6 +109,7 @@ class Search {
         return keys;
     }
 
+    static constexpr std::size_t few_ = 12;
     const Place& place_;
     const Names& names_;
     const Laws& laws_;
@@ -124,7 +148,7 @@ std::vector<Candidate> pairs(const Search& search, const std::vector<Candidate>&
                 if (swapped) {
                     std::swap(rows[0], rows[1]);
                 }
-                Candidate candidate = search.attempt(rows, 0);
+                Candidate candidate = search.attempt(rows, left_of_a_pair);
                 if (candidate.left == 0) {
                     candidate.rows = {one, &other};
                     found.push_back(std::move(candidate));
@@ -183,7 +207,8 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
     const auto as_good =
         std::ranges::count_if(alone, [&](const Candidate& c) { return c.left == fewest; });
     if (fewest > 0) {
-        const std::vector<Candidate> two = pairs(search, alone);
+        const std::vector<Candidate> two =
+            search.all() <= most_causes_of_a_pair ? pairs(search, alone) : std::vector<Candidate>();
         if (!two.empty()) {
             for (const MistakeRow* row : two.front().rows) {
                 report.mistakes.push_back(named(*row));

@@ -156,7 +156,10 @@ void Replay::decide(At at, Field field, const Word& expected, const Word& found,
 
 Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     if (full()) {
-        return {};
+        Outcome unseen;
+        unseen.intensity = submission_.tree.rays[at.ray].intensity;
+        unseen.attenuation = submission_.tree.rays[at.ray].attenuation;
+        return unseen;
     }
     ++rays_;
     const Vec due = step.origin;
@@ -208,6 +211,9 @@ Replay::Outcome Replay::end(At at, const Step& step, Taint taint) {
         std::max(darkest_, largest_component(outcome.intensity)), outcome.taint);
     report_second_children(at, taint);
     for (const std::size_t ray : submission_.children[at.ray]) {
+        if (full()) {
+            break;
+        }
         Finding finding;
         start_finding(finding, ray);
         finding.problem = Problem::extra;

@@ -23,7 +23,7 @@ struct ReplayOptions {
     double rtol = 1e-5;
     const Slacks* slacks = nullptr;
     const RayTree<double>* truth = nullptr;  ///< tells what follows from what
-    std::size_t enough = ~std::size_t{0};    ///< causes after which to stop
+    std::size_t enough = 1000;               ///< causes after which to stop
     std::size_t most_rays = ~std::size_t{0};
     double noise = 0;  ///< how far to move every number, in units of the submission's precision
     unsigned seed = 0;
@@ -105,7 +105,11 @@ class Replay {
     std::size_t shadow_child(std::size_t parent, std::size_t light) const;
     std::size_t true_child(std::size_t parent, RayKind kind, const std::string& light) const;
     void report_second_children(At at, Taint taint);
-    bool full() const { return causes_ >= options_.enough || rays_ >= options_.most_rays; }
+    bool full() const {
+        return causes_ >= options_.enough || rays_ >= options_.most_rays ||
+               findings_.size() >= most_findings_;
+    }
+    static constexpr std::size_t most_findings_ = 20'000;
     void note(std::uint64_t key, std::int64_t word) {
         if (options_.logs) {
             log_[key].word = word;

@@ -7,6 +7,8 @@ namespace raytree::check {
 namespace {
 
 constexpr int trials = 12;
+constexpr int trials_of_a_large_tree = 3;
+constexpr std::size_t large_tree = 3000;
 
 }  // namespace
 
@@ -56,7 +58,7 @@ void Replay::report_second_children(At at, Taint taint) {
     for (const RayKind kind : {RayKind::reflected, RayKind::refracted}) {
         bool first = true;
         for (const std::size_t ray : submission_.children[at.ray]) {
-            if (submission_.tree.rays[ray].kind != kind) {
+            if (submission_.tree.rays[ray].kind != kind || full()) {
                 continue;
             }
             if (!first) {
@@ -171,11 +173,11 @@ Slacks slacks_of(const Place& place, const Names& names, const Laws& laws,
     quiet.slacks = nullptr;
     quiet.truth = nullptr;
     quiet.logs = true;
-    quiet.enough = ~std::size_t{0};
     Replay exact(place, names, laws, submission, quiet);
     exact.run();
     Slacks slacks;
-    for (int k = 0; k < trials; ++k) {
+    const bool large = std::min(submission.tree.rays.size(), options.most_rays) > large_tree;
+    for (int k = 0; k < (large ? trials_of_a_large_tree : trials); ++k) {
         quiet.noise = 4;
         quiet.seed = static_cast<unsigned>(k + 1);
         Replay trial(place, names, laws, submission, quiet);
