@@ -77,10 +77,13 @@ constexpr std::size_t large = std::size_t{2} << 20;
 
 void refuse_if_large(const std::filesystem::path& file) {
     std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    if (!std::filesystem::exists(file, error) || std::filesystem::is_directory(file, error)) {
+        return;  // whoever reads it says so
+    }
+    if (!std::filesystem::is_regular_file(file, error)) {
         throw InputError(file.string(), "", "is not a file");
     }
+    const auto bytes = std::filesystem::file_size(file, error);
     if (!error && bytes > largest_submission) {
         throw InputError(file.string(), "",
                          "is " + std::to_string(bytes >> 20) + " MB large; a submission may have " +

@@ -184,7 +184,7 @@ TEST_CASE("planted mistakes are found and named") {
         CAPTURE(form.name);
         const bool whole = form.given.empty() && form.digits == 0;
         const bool thorough = std::getenv("RAYTREE_PLANTED_TABLE") != nullptr;
-        const Score all = plant_all(form, thorough ? (whole ? 1 : 5) : (whole ? 5 : 9), table, log);
+        const Score all = plant_all(form, thorough ? (whole ? 1 : 5) : (whole ? 9 : 18), table, log);
         CHECK(all.found >= 0.98 * all.changed);
         CHECK(all.first >= 0.9 * all.changed);
         CHECK(all.wrong_sure == 0);

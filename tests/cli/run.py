@@ -11,6 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import checking
 import inputs
 import pictures
 import terminal
@@ -111,9 +112,9 @@ def bad_input(bench):
         bench.expect(name, f"render {name} -o bad.png", 2, "", message)
 
 
-GROUPS = {"commands": commands, "bad_input": bad_input, "limits": pictures.limits,
-          "pictures": pictures.pictures, "shared_data": pictures.shared_data,
-          "terminal": terminal.terminal}
+GROUPS = {"commands": commands, "bad_input": bad_input, "check": checking.checking,
+          "limits": pictures.limits, "pictures": pictures.pictures,
+          "shared_data": pictures.shared_data, "terminal": terminal.terminal}
 
 
 def main():

@@ -1,0 +1,127 @@
+"""Homework: what raytree check says of right, wrong and hostile submissions."""
+
+import csv
+import io
+import json
+import xml.dom.minidom
+
+PIXEL = "16,12"
+
+
+def tree(bench):
+    return json.loads(bench.run(f"trace scene.json --pixel {PIXEL} --embed-scene").stdout)
+
+
+def nested(document):
+    """The same tree with rays in one another, and little more than numbers."""
+    rays = document["rays"]
+    for ray in rays:
+        ray["children"] = [child for child in rays if child.get("parent") == ray["id"]]
+    for ray in rays:
+        for key in ("id", "parent", "level", "weight"):
+            ray.pop(key, None)
+    return {"format": "raytree/1.0", "pixel": document["pixel"], "rays": [rays[0]]}
+
+
+def stretched(document):
+    """Directions of length 3, t in their units, rays in another order."""
+    for ray in document["rays"]:
+        ray["direction"] = [3 * x for x in ray["direction"]]
+        if ray.get("hit"):
+            ray["hit"]["t"] /= 3
+        if ray.get("blocked_by"):
+            ray["blocked_by"]["t"] /= 3
+    document["rays"].reverse()
+    return document
+
+
+def without_ambient(document):
+    for ray in document["rays"]:
+        if "ambient" in ray:
+            ray["ambient"] = [0, 0, 0]
+    return document
+
+
+def without_a_ray(document):
+    gone = next(r["id"] for r in document["rays"] if r["kind"] == "reflected")
+    document["rays"] = [r for r in document["rays"] if gone not in (r["id"], r["parent"])]
+    ids = {r["id"] for r in document["rays"]}
+    document["rays"] = [r for r in document["rays"] if r["parent"] is None or r["parent"] in ids]
+    return document
+
+
+def inputs(bench):
+    (bench.folder / "class").mkdir()
+    bench.write("right.json", json.dumps(tree(bench)))
+    bench.write("nested.json", json.dumps(nested(tree(bench))))
+    bench.write("stretched.json", json.dumps(stretched(tree(bench))))
+    bench.write("dark.json", json.dumps(without_ambient(tree(bench))))
+    bench.write("missing.json", json.dumps(without_a_ray(tree(bench))))
+    bench.write("cut.json", json.dumps(tree(bench))[:500])
+    bench.write("class/=cmd|' \"x.json", "{}")
+    bench.write("class/<b>&.json", json.dumps(without_ambient(tree(bench))))
+    bench.write("class/right.json", json.dumps(tree(bench)))
+
+
+CASES = [
+    ("right", "right.json --scene scene.json", 0, r"^right\.json: pass, \d+ rays"),
+    ("by a reference", "right.json --reference right.json", 0, r": pass"),
+    ("nested, partial", "nested.json --scene scene.json", 0, r"(?s): pass.*weight is not given"),
+    ("not unit, reversed", "stretched.json --scene scene.json", 0, r": pass"),
+    ("required", "nested.json --scene scene.json --require weight", 1, r"weight.*required"),
+    ("a mistake", "dark.json --scene scene.json", 1, r"(?s): fail.*lit\.ambient_missing"),
+    ("a missing ray", "missing.json --scene scene.json", 1, r"(?s): fail.*lacks its reflected ray"),
+    ("cut off", "cut.json --scene scene.json", 1, r": unreadable"),
+    ("no such file", "none.json --scene scene.json", 1, r"(?s)unreadable.*no such file"),
+    ("several", "right.json cut.json --scene scene.json", 1, r"1 of 2 pass"),
+    ("a folder", "class --scene scene.json", 1, r"1 of 3 pass"),
+    ("a profile", "right.json --scene scene.json --profile ucla", 1, r"by the profile ucla"),
+]
+MISUSE = [
+    ("no scene", "right.json", r"--scene SCENE or --reference TREE"),
+    ("a reference without scene", "right.json --reference nested.json", r"/scene/document"),
+    ("unknown profile", "right.json --scene scene.json --profile lectur", r'mean "lecture"'),
+    ("unknown field", "right.json --scene scene.json --require colour", r"--require"),
+    ("tolerance of 0", "right.json --scene scene.json --rtol 0", r"--rtol.*over 0"),
+    ("unknown report", "right.json --scene scene.json --as html", r"--as"),
+    ("no such scene", "right.json --scene none.json", r"none\.json: there is no such file"),
+    ("a folder without trees", "folder.png --scene scene.json", r"no \.json files"),
+]
+
+
+def reports(bench):
+    done = bench.run("check class dark.json --scene scene.json --as json")
+    report = json.loads(done.stdout)
+    bench.check("report as json", report["format"] == "raytree-report/1.0"
+                and [s["verdict"] for s in report["submissions"]]
+                == ["fail", "unreadable", "pass", "fail"], done.stdout[:500])
+    finding = report["submissions"][0]["findings"][0]
+    bench.check("keys of a finding", {"ray", "kind", "quantity", "expected", "found", "text",
+                                      "relative_error", "follows_from"} <= finding.keys(), finding)
+    bench.check("groups", report["groups"] == [
+        {"id": "lit.ambient_missing", "files": ["class/<b>&.json", "dark.json"]}],
+        report["groups"])
+    again = bench.run("check class dark.json --scene scene.json --as json --threads 1")
+    bench.check("the same on one thread", again.stdout == done.stdout)
+    rows = list(csv.DictReader(io.StringIO(
+        bench.run("check class --scene scene.json --as csv").stdout.decode())))
+    bench.check("report as csv", len(rows) == 3 and rows[0]["mistake"] == "lit.ambient_missing",
+                rows)
+    junit = bench.run("check class --scene scene.json --as junit").stdout
+    suite = xml.dom.minidom.parseString(junit).documentElement
+    bench.check("report as junit", suite.getAttribute("tests") == "3"
+                and suite.getAttribute("errors") == "1", junit)
+    scope = json.loads(bench.run("check dark.json --scene scene.json --as gradescope").stdout)
+    bench.check("report for gradescope", 0 < scope["score"] < 100 and len(scope["tests"]) == 1,
+                scope)
+    bench.expect("report to a file", "check right.json --scene scene.json -o r.txt", 0, "", "",
+                 "r.txt")
+
+
+def checking(bench):
+    inputs(bench)
+    for name, command, code, out in CASES:
+        bench.expect(name, "check " + command, code, out, "")
+    for name, command, err in MISUSE:
+        bench.expect(name, "check " + command, 2, "", err)
+    reports(bench)
