@@ -184,7 +184,8 @@ TEST_CASE("planted mistakes are found and named") {
         CAPTURE(form.name);
         const bool whole = form.given.empty() && form.digits == 0;
         const bool thorough = std::getenv("RAYTREE_PLANTED_TABLE") != nullptr;
-        const Score all = plant_all(form, thorough ? (whole ? 1 : 5) : (whole ? 9 : 18), table, log);
+        const Score all =
+            plant_all(form, thorough ? (whole ? 1 : 5) : (whole ? 9 : 18), table, log);
         CHECK(all.found >= 0.98 * all.changed);
         CHECK(all.first >= 0.9 * all.changed);
         CHECK(all.wrong_sure == 0);
@@ -192,6 +193,74 @@ TEST_CASE("planted mistakes are found and named") {
     if (const char* const file = std::getenv("RAYTREE_PLANTED_TABLE")) {
         std::ofstream(file) << table << log;
     }
+}
+
+/// Two mistakes at once; whether both change something alone, and how many are named.
+struct Pair {
+    int tried = 0, both = 0, one = 0, neither = 0;
+};
+
+bool names(const check::Report& report, std::string_view id) {
+    return std::ranges::any_of(report.mistakes, [&](const check::NamedMistake& named) {
+        return named.id == id || std::ranges::find(named.ties, id) != named.ties.end();
+    });
+}
+
+bool changes(const check::Checker& checker, const check::MistakeRow& row, const Spot& spot) {
+    const std::string text = planted(checker, row, spot);
+    return !text.empty() && checker.check_text(text, "alone").verdict == check::Verdict::fail;
+}
+
+void plant_pair(const check::Checker& checker, const check::MistakeRow& a,
+                const check::MistakeRow& b, const Spot& spot, Pair& pair) {
+    check::Laws laws = check::model_laws();
+    a.apply(laws);
+    b.apply(laws);
+    check::Laws only = check::model_laws();
+    b.apply(only);
+    std::string text;
+    try {
+        text = write_tree_json(check::forge_tree(checker.place(), laws, spot.i, spot.j));
+    } catch (const InputError&) {
+        return;
+    }
+    // Where the second undoes the first there are not two.
+    const RayTree<double> second = check::forge_tree(checker.place(), only, spot.i, spot.j);
+    if (text == write_tree_json(second) || text.find("nan") != std::string::npos) {
+        return;
+    }
+    const check::Report report = checker.check_text(text, "pair");
+    const int named = (names(report, a.id) ? 1 : 0) + (names(report, b.id) ? 1 : 0);
+    ++pair.tried;
+    (named == 2 ? pair.both : named == 1 ? pair.one : pair.neither) += 1;
+}
+
+TEST_CASE("of planted pairs of mistakes both are named in at least half") {
+    check::CheckOptions options;
+    options.profile = "lecture";
+    Pair pair;
+    const bool thorough = std::getenv("RAYTREE_PLANTED_TABLE") != nullptr;
+    const int wanted = thorough ? 120 : 16;
+    unsigned seed = 12345;
+    const auto next = [&](std::size_t n) {
+        seed = seed * 1664525U + 1013904223U;
+        return static_cast<std::size_t>(seed >> 8U) % n;
+    };
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}, std::size_t{13}}) {
+        const Scene scene = data_scene(spots[k].scene);
+        const check::Checker checker(scene, options);
+        const int until = pair.tried + wanted / 3;
+        for (int n = 0; n < 2000 && pair.tried < until; ++n) {
+            const check::MistakeRow& a = check::catalogue()[next(check::catalogue().size())];
+            const check::MistakeRow& b = check::catalogue()[next(check::catalogue().size())];
+            if (&a != &b && changes(checker, a, spots[k]) && changes(checker, b, spots[k])) {
+                plant_pair(checker, a, b, spots[k], pair);
+            }
+        }
+    }
+    MESSAGE(pair.tried << " pairs: both named in " << pair.both << ", one in " << pair.one
+                       << ", none in " << pair.neither);
+    CHECK(2 * pair.both >= pair.tried);
 }
 
 TEST_CASE("ids of mistakes are unique, and their sentences end") {
