@@ -15,6 +15,7 @@
 #include "window/actions.h"
 #include "window/cheat_sheet.h"
 #include "window/details_pane.h"
+#include "window/exporter.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->give_keys_to(picture_);
     actions_->give_keys_to(scene_);
+    new Exporter(state_, this, scene_);
     tracing_.setInterval(30);
     connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
     state_.observe([this](const Changes& changes) { obey(changes); });

@@ -222,7 +222,7 @@ void PicturePane::mouseMoveEvent(QMouseEvent* event) {
         keep_in_place();
         update();
     } else if (pixel && (event->buttons() & Qt::LeftButton)) {
-        state_.pick(*pixel);
+        state_.pick(*pixel, Pick::on_the_way);
     }
     Q_EMIT hovered(pixel);
 }
