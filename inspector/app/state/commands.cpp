@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "state/exports.h"
+#include "state/steps.h"
 
 namespace raytree::inspector {
 namespace {
@@ -55,40 +56,6 @@ void select(State& state, std::string_view argument) {
     state.select(ray);
 }
 
-bool shown(const State& state, std::size_t ray) {
-    return !state.look().hidden.contains(state.tree()->tree.rays[ray].kind);
-}
-
-/// The next ray in the order of computation that is not hidden, or the one before.
-std::optional<std::size_t> step_target(const State& state, int by) {
-    if (!state.tree()) {
-        return std::nullopt;
-    }
-    const auto count = static_cast<std::ptrdiff_t>(state.tree()->tree.rays.size());
-    auto ray = static_cast<std::ptrdiff_t>(state.selected()->id) + by;
-    while (ray >= 0 && ray < count && !shown(state, static_cast<std::size_t>(ray))) {
-        ray += by;
-    }
-    return ray >= 0 && ray < count ? std::optional(static_cast<std::size_t>(ray)) : std::nullopt;
-}
-
-using Target = std::optional<std::size_t> (*)(const State&);
-
-std::optional<std::size_t> next_ray(const State& state) { return step_target(state, 1); }
-std::optional<std::size_t> previous_ray(const State& state) { return step_target(state, -1); }
-std::optional<std::size_t> parent_ray(const State& state) {
-    return state.tree() ? parent_of(*state.tree(), state.selected()->id) : std::nullopt;
-}
-std::optional<std::size_t> child_ray(const State& state) {
-    return state.tree() ? first_child_of(*state.tree(), state.selected()->id) : std::nullopt;
-}
-std::optional<std::size_t> sibling_ray(const State& state) {
-    return state.tree() ? sibling_of(*state.tree(), state.selected()->id, 1) : std::nullopt;
-}
-std::optional<std::size_t> primary_ray(const State& state) {
-    return state.tree() ? std::optional<std::size_t>(0) : std::nullopt;
-}
-
 template <Target target> void go(State& state, std::string_view) { state.select(*target(state)); }
 template <Target target> bool can_go(const State& state) { return target(state).has_value(); }
 
@@ -116,6 +83,17 @@ template <bool Look::*field> void flip(State& state, std::string_view) {
     state.change_look([](Look& look) { look.*field = !(look.*field); });
 }
 template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
+
+template <Measure measure> void show_overlay(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.overlay = measure; });
+}
+template <Measure measure> bool overlay_is(const State& state) {
+    return state.look().overlay == measure;
+}
+void show_no_overlay(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.overlay.reset(); });
+}
+bool has_no_overlay(const State& state) { return !state.look().overlay; }
 
 void switch_theme(State& state, std::string_view) {
     state.change_look(
@@ -231,6 +209,21 @@ constexpr Command table[] = {
      nullptr,
      {},
      true},
+
+    {"overlay.none", "Overlay", "None: the picture", "Ctrl+0", "Shows the picture itself.", none,
+     show_no_overlay, nullptr, has_no_overlay},
+    {"overlay.rays", "Overlay", "Rays", "Ctrl+1", "Shows how many rays each pixel took.", none,
+     show_overlay<Measure::rays>, nullptr, overlay_is<Measure::rays>},
+    {"overlay.levels", "Overlay", "Levels", "Ctrl+2", "Shows how deep the tree of each pixel is.",
+     none, show_overlay<Measure::levels>, nullptr, overlay_is<Measure::levels>},
+    {"overlay.tests", "Overlay", "Tests", "Ctrl+3",
+     "Shows how often the rays of each pixel were tested against shapes.", none,
+     show_overlay<Measure::tests>, nullptr, overlay_is<Measure::tests>},
+    {"overlay.time", "Overlay", "Time", "Ctrl+4", "Shows how long each pixel took.", none,
+     show_overlay<Measure::nanoseconds>, nullptr, overlay_is<Measure::nanoseconds>},
+    {"overlay.ended", "Overlay", "Why it ended", "Ctrl+5",
+     "Shows why the weightiest branch of the tree of each pixel ended.", none,
+     show_overlay<Measure::ended>, nullptr, overlay_is<Measure::ended>},
 
     {"ray.select", "", "Select ray", "", "Selects the ray of this number.", Argument::ray, select,
      has_tree},

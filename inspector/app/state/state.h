@@ -11,6 +11,7 @@
 #include "state/history.h"
 #include "state/palette.h"
 #include "state/tree_worker.h"
+#include "trace/render.h"
 
 /// What the inspector shows. Views read it and are told what has changed; commands change it.
 namespace raytree::inspector {
@@ -21,9 +22,10 @@ enum class ShapeStyle { see_through, solid, wire };
 struct Look {
     Theme theme = Theme::light;
     ShapeStyle shapes = ShapeStyle::see_through;
-    std::set<RayKind> hidden;  ///< kinds of rays left out of the 3D view
-    bool ghosts = true;        ///< whether the outline has the rays that were not sent
-    bool names = true;         ///< whether things in the 3D view bear their names
+    std::set<RayKind> hidden;        ///< kinds of rays left out of the 3D view
+    bool ghosts = true;              ///< whether the outline has the rays that were not sent
+    std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
+    bool names = true;               ///< whether things in the 3D view bear their names
 };
 
 /// What is asked of the views once; nothing of it stays in the state.

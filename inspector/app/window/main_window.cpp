@@ -17,6 +17,7 @@
 #include "window/details_pane.h"
 #include "window/exporter.h"
 #include "window/outline_pane.h"
+#include "window/overlay_legend.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
@@ -77,6 +78,7 @@ QWidget* MainWindow::make_picture_box() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
     layout->addWidget(picture_, 1);
+    layout->addWidget(new OverlayLegend(state_, feed_));
     layout->addWidget(hovered_);
     return box;
 }
@@ -151,7 +153,9 @@ void MainWindow::show_hovered(std::optional<Pixel> pixel) {
         return;
     }
     QString text = qt(text_of(*pixel));
-    if (const auto intensity = feed_.intensity(*pixel)) {
+    if (feed_.overlay()) {
+        text += QStringLiteral("   ") + qt(value_text(*feed_.overlay(), *pixel));
+    } else if (const auto intensity = feed_.intensity(*pixel)) {
         text += QStringLiteral("   ") +
                 qt(value_text(*intensity, state_.document()->scene().settings.quantize));
     }
