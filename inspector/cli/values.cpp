@@ -1,10 +1,12 @@
 #include "values.h"
+#include "formats/output_file.h"
 
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "formats/did_you_mean.h"
+#include "formats/output_file.h"
 
 namespace raytree::cli {
 namespace {
@@ -67,19 +69,8 @@ std::string extension_of(const std::string& file) {
 }
 
 void expect_writable(const std::string& file, const std::string& scene) {
-    std::error_code error;
-    if (file == "-") {
-        return;
-    }
-    if (std::filesystem::is_directory(file, error)) {
-        throw Misuse(file + ": is a folder, not a file to write to");
-    }
-    if (std::filesystem::equivalent(file, scene, error)) {
-        throw Misuse(file + ": is the scene itself, which would be lost; give another name");
-    }
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-        throw Misuse(file + ": cannot be written: there is no folder " + folder.string());
+    if (const std::string why = why_not_writable(file, scene); !why.empty()) {
+        throw Misuse(file + ": " + why);
     }
 }
 

@@ -68,6 +68,24 @@ fs::path resolved(const fs::path& path) {
 
 }  // namespace
 
+std::string why_not_writable(const std::string& path, const std::string& input) {
+    std::error_code error;
+    if (path == "-") {
+        return {};
+    }
+    if (fs::is_directory(path, error)) {
+        return "is a folder, not a file to write to";
+    }
+    if (fs::equivalent(path, input, error)) {
+        return "is the scene itself, which would be lost; give another name";
+    }
+    const fs::path folder = fs::path(path).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, error)) {
+        return "cannot be written: there is no folder " + folder.string();
+    }
+    return {};
+}
+
 void write_output(const std::string& path, std::string_view bytes) {
     if (path == "-") {
         write_all(stdout, bytes, "standard output");

@@ -10,6 +10,10 @@ namespace raytree {
 /// all is written. "-" is standard output. Throws InputError where it cannot be written.
 void write_output(const std::string& path, std::string_view bytes);
 
+/// Why nothing could be written to the file, or why it must not be: because it is `input`, the one
+/// that is being read. Empty where nothing speaks against it; said before the work and not after.
+std::string why_not_writable(const std::string& path, const std::string& input);
+
 /// All bytes of a file. Throws InputError where there is none, where it is a folder, or where it
 /// cannot be read.
 std::string read_input(const std::filesystem::path& path);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "state/exports.h"
+#include "state/steps.h"
+
 namespace raytree::inspector {
 namespace {
 
@@ -10,7 +13,12 @@ bool has_scene(const State& state) { return state.document() != nullptr; }
 bool has_tree(const State& state) { return state.tree() != nullptr; }
 
 template <int di, int dj> void move_pixel(State& state, std::string_view) {
-    state.pick({state.pixel().i + di, state.pixel().j + dj});
+    state.pick({state.pixel().i + di, state.pixel().j + dj}, Pick::on_the_way);
+}
+
+template <int by> void go_back(State& state, std::string_view) { state.go_back(by); }
+template <int by> bool can_go_back(const State& state) {
+    return state.history().at(by).has_value();
 }
 
 void open(State& state, std::string_view file) { state.show(open_file(file)); }
@@ -26,6 +34,15 @@ void reload(State& state, std::string_view) {
     }
 }
 
+template <TreeExport as> void write_tree(State& state, std::string_view file) {
+    export_tree(state, as, std::string(file));
+}
+void write_scene(State& state, std::string_view file) { export_scene(state, std::string(file)); }
+template <Request request> void write(State& state, std::string_view file) {
+    expect_writable(state, std::string(file));
+    state.request(request, std::string(file));
+}
+
 void pick(State& state, std::string_view argument) { state.pick(pixel_from(argument)); }
 
 void select(State& state, std::string_view argument) {
@@ -37,40 +54,6 @@ void select(State& state, std::string_view argument) {
         throw InputError("", "ray.select", "the tree has no ray '" + std::string(argument) + "'");
     }
     state.select(ray);
-}
-
-bool shown(const State& state, std::size_t ray) {
-    return !state.look().hidden.contains(state.tree()->tree.rays[ray].kind);
-}
-
-/// The next ray in the order of computation that is not hidden, or the one before.
-std::optional<std::size_t> step_target(const State& state, int by) {
-    if (!state.tree()) {
-        return std::nullopt;
-    }
-    const auto count = static_cast<std::ptrdiff_t>(state.tree()->tree.rays.size());
-    auto ray = static_cast<std::ptrdiff_t>(state.selected()->id) + by;
-    while (ray >= 0 && ray < count && !shown(state, static_cast<std::size_t>(ray))) {
-        ray += by;
-    }
-    return ray >= 0 && ray < count ? std::optional(static_cast<std::size_t>(ray)) : std::nullopt;
-}
-
-using Target = std::optional<std::size_t> (*)(const State&);
-
-std::optional<std::size_t> next_ray(const State& state) { return step_target(state, 1); }
-std::optional<std::size_t> previous_ray(const State& state) { return step_target(state, -1); }
-std::optional<std::size_t> parent_ray(const State& state) {
-    return state.tree() ? parent_of(*state.tree(), state.selected()->id) : std::nullopt;
-}
-std::optional<std::size_t> child_ray(const State& state) {
-    return state.tree() ? first_child_of(*state.tree(), state.selected()->id) : std::nullopt;
-}
-std::optional<std::size_t> sibling_ray(const State& state) {
-    return state.tree() ? sibling_of(*state.tree(), state.selected()->id, 1) : std::nullopt;
-}
-std::optional<std::size_t> primary_ray(const State& state) {
-    return state.tree() ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 template <Target target> void go(State& state, std::string_view) { state.select(*target(state)); }
@@ -101,6 +84,17 @@ template <bool Look::*field> void flip(State& state, std::string_view) {
 }
 template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
 
+template <Measure measure> void show_overlay(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.overlay = measure; });
+}
+template <Measure measure> bool overlay_is(const State& state) {
+    return state.look().overlay == measure;
+}
+void show_no_overlay(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.overlay.reset(); });
+}
+bool has_no_overlay(const State& state) { return !state.look().overlay; }
+
 void switch_theme(State& state, std::string_view) {
     state.change_look(
         [](Look& look) { look.theme = look.theme == Theme::light ? Theme::dark : Theme::light; });
@@ -108,6 +102,14 @@ void switch_theme(State& state, std::string_view) {
 bool is_dark(const State& state) { return state.look().theme == Theme::dark; }
 
 constexpr Argument none = Argument::none;
+
+constexpr Command writes_file(std::string_view id, std::string_view title, std::string_view keys,
+                              std::string_view help, void (*run)(State&, std::string_view),
+                              bool (*possible)(const State&), std::string_view suffixes,
+                              bool rule_before = false) {
+    return {id,  "Export", title,   keys, help,        Argument::new_file,
+            run, possible, nullptr, {},   rule_before, suffixes};
+}
 
 constexpr Command table[] = {
     {"file.open", "File", "Open…", "Ctrl+O",
@@ -127,8 +129,50 @@ constexpr Command table[] = {
      {},
      true},
 
+    writes_file("export.tree_json", "Tree as JSON…", "Ctrl+E", "Writes the ray tree (raytree/1.0).",
+                write_tree<TreeExport::json>, has_tree, "json"),
+    writes_file("export.tree_with_scene", "Tree with its scene…", "",
+                "Writes the ray tree (raytree/1.0) and the whole scene in one file.",
+                write_tree<TreeExport::json_with_scene>, has_tree, "json"),
+    writes_file("export.tree_text", "Tree as text…", "",
+                "Writes the ray tree as an outline to read.", write_tree<TreeExport::text>,
+                has_tree, "txt"),
+    writes_file("export.tree_dot", "Tree as DOT…", "",
+                "Writes the ray tree as a graph for Graphviz.", write_tree<TreeExport::dot>,
+                has_tree, "dot"),
+    writes_file("export.tree_svg", "Tree as SVG…", "", "Writes the ray tree as a drawing.",
+                write_tree<TreeExport::svg>, has_tree, "svg"),
+    writes_file("export.tree_vtp", "Tree as VTP…", "",
+                "Writes the ray tree as lines in space, for ParaView.", write_tree<TreeExport::vtp>,
+                has_tree, "vtp"),
+    writes_file("export.picture", "Picture…", "",
+                "Renders the picture and writes it: .png or .ppm, or .pfm with unclamped numbers.",
+                write<Request::export_picture>, has_scene, "png ppm pfm", true),
+    writes_file("export.window", "Window as an image…", "", "Writes the window as it is (.png).",
+                write<Request::export_window>, has_scene, "png"),
+    writes_file("export.scene", "Scene…", "Ctrl+S",
+                "Writes the scene: .json, or .nff or .txt as far as they can say it.", write_scene,
+                has_scene, "json nff txt", true),
+    {"copy.view",
+     "Export",
+     "Copy the 3D view",
+     "Ctrl+Shift+C",
+     "Copies the 3D view as an image.",
+     none,
+     ask<Request::copy_view>,
+     has_scene,
+     nullptr,
+     {},
+     true},
+    {"copy.window", "Export", "Copy the window", "Ctrl+Alt+C", "Copies the window as an image.",
+     none, ask<Request::copy_window>, has_scene},
+
     {"pixel.pick", "", "Choose pixel", "", "Shows the ray tree of pixel I,J.", Argument::pixel,
      pick, has_scene},
+    {"pixel.back", "Pixel", "Back", "Alt+Left", "Chooses the pixel that was chosen before.", none,
+     go_back<-1>, can_go_back<-1>},
+    {"pixel.forward", "Pixel", "Forward", "Alt+Right",
+     "Chooses the pixel that had been gone back from.", none, go_back<1>, can_go_back<1>},
     {"pixel.left", "Pixel", "One to the left", "Left", "Chooses the pixel to the left.", none,
      move_pixel<-1, 0>, has_scene},
     {"pixel.right", "Pixel", "One to the right", "Right", "Chooses the pixel to the right.", none,
@@ -165,6 +209,21 @@ constexpr Command table[] = {
      nullptr,
      {},
      true},
+
+    {"overlay.none", "Overlay", "None: the picture", "Ctrl+0", "Shows the picture itself.", none,
+     show_no_overlay, nullptr, has_no_overlay},
+    {"overlay.rays", "Overlay", "Rays", "Ctrl+1", "Shows how many rays each pixel took.", none,
+     show_overlay<Measure::rays>, nullptr, overlay_is<Measure::rays>},
+    {"overlay.levels", "Overlay", "Levels", "Ctrl+2", "Shows how deep the tree of each pixel is.",
+     none, show_overlay<Measure::levels>, nullptr, overlay_is<Measure::levels>},
+    {"overlay.tests", "Overlay", "Tests", "Ctrl+3",
+     "Shows how often the rays of each pixel were tested against shapes.", none,
+     show_overlay<Measure::tests>, nullptr, overlay_is<Measure::tests>},
+    {"overlay.time", "Overlay", "Time", "Ctrl+4", "Shows how long each pixel took.", none,
+     show_overlay<Measure::nanoseconds>, nullptr, overlay_is<Measure::nanoseconds>},
+    {"overlay.ended", "Overlay", "Why it ended", "Ctrl+5",
+     "Shows why the weightiest branch of the tree of each pixel ended.", none,
+     show_overlay<Measure::ended>, nullptr, overlay_is<Measure::ended>},
 
     {"ray.select", "", "Select ray", "", "Selects the ray of this number.", Argument::ray, select,
      has_tree},
@@ -231,33 +290,5 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> commands() { return table; }
-
-const Command* find_command(std::string_view id) {
-    const auto found = std::ranges::find(table, id, &Command::id);
-    return found == std::end(table) ? nullptr : found;
-}
-
-void run_command(State& state, std::string_view id, std::string_view argument) {
-    const Command* const command = find_command(id);
-    if (!command) {
-        throw InputError("", std::string(id), "there is no such command");
-    }
-    if (!command->possible || command->possible(state)) {
-        command->run(state, argument);
-    }
-}
-
-void run_line(State& state, std::string_view line) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t begin = line.find_first_not_of(blanks);
-    if (begin == std::string_view::npos || line[begin] == '#') {
-        return;
-    }
-    line = line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
-    const std::size_t end = std::min(line.find_first_of(blanks), line.size());
-    const std::size_t argument = line.find_first_not_of(blanks, end);
-    run_command(state, line.substr(0, end),
-                argument == std::string_view::npos ? "" : line.substr(argument));
-}
 
 }  // namespace raytree::inspector

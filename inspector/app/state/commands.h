@@ -13,9 +13,10 @@ namespace raytree::inspector {
 /// What a command has to be told besides.
 enum class Argument {
     none,
-    file,   ///< a scene or a tree; the window asks for it
-    pixel,  ///< I,J
-    ray     ///< a ray's number
+    file,      ///< a scene or a tree; the window asks for it
+    new_file,  ///< to be written; the window asks for it
+    pixel,     ///< I,J
+    ray        ///< a ray's number
 };
 
 struct Command {
@@ -31,6 +32,7 @@ struct Command {
     bool (*on)(const State&) = nullptr;        ///< of a switch: whether it is on; null: no switch
     std::string_view toolbar = {};             ///< its short title there; empty: not there
     bool rule_before = false;                  ///< whether a rule stands above it in its menu
+    std::string_view suffixes = {};            ///< of a new file, the usual one first
 };
 
 std::span<const Command> commands();

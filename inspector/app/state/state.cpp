@@ -13,6 +13,7 @@ const TreeRay<double>* State::selected() const {
 void State::show(const Opened& opened) {
     document_ = opened.document;
     pixel_ = opened.pixel ? *opened.pixel : start_pixel(*document_);
+    history_.begin(pixel_);
     message_.clear();
     for (const std::string& note : opened.notes) {
         message_ += (message_.empty() ? "" : "  ") + note;
@@ -21,7 +22,7 @@ void State::show(const Opened& opened) {
     tell({.document = true, .tree = true, .selection = true, .message = true});
 }
 
-void State::pick(Pixel pixel) {
+void State::pick(Pixel pixel, Pick how) {
     if (!document_) {
         return;
     }
@@ -30,6 +31,20 @@ void State::pick(Pixel pixel) {
     if (pixel == pixel_ && tree_) {
         return;
     }
+    if (pixel != pixel_) {
+        history_.add(pixel, how);
+    }
+    choose(pixel);
+}
+
+void State::go_back(int by) {
+    if (const auto pixel = history_.at(by)) {
+        history_.go(by);
+        choose(*pixel);
+    }
+}
+
+void State::choose(Pixel pixel) {
     pixel_ = pixel;
     message_.clear();
     trace();
@@ -82,7 +97,9 @@ void State::change_look(const std::function<void(Look&)>& change) {
     tell({.look = true});
 }
 
-void State::request(Request request) { tell({.request = request}); }
+void State::request(Request request, std::string file) {
+    tell({.request = request, .file = std::move(file)});
+}
 
 void State::say(std::string message) {
     message_ = std::move(message);

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "state/document.h"
+#include "state/history.h"
 #include "state/palette.h"
 #include "state/tree_worker.h"
+#include "trace/render.h"
 
 /// What the inspector shows. Views read it and are told what has changed; commands change it.
 namespace raytree::inspector {
@@ -20,13 +22,26 @@ enum class ShapeStyle { see_through, solid, wire };
 struct Look {
     Theme theme = Theme::light;
     ShapeStyle shapes = ShapeStyle::see_through;
-    std::set<RayKind> hidden;  ///< kinds of rays left out of the 3D view
-    bool ghosts = true;        ///< whether the outline has the rays that were not sent
-    bool names = true;         ///< whether things in the 3D view bear their names
+    std::set<RayKind> hidden;        ///< kinds of rays left out of the 3D view
+    bool ghosts = true;              ///< whether the outline has the rays that were not sent
+    std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
+    bool names = true;               ///< whether things in the 3D view bear their names
 };
 
 /// What is asked of the views once; nothing of it stays in the state.
-enum class Request { through_camera, from_side, fit_tree, fit_ray, fit_picture, cheat_sheet, quit };
+enum class Request {
+    through_camera,
+    from_side,
+    fit_tree,
+    fit_ray,
+    fit_picture,
+    cheat_sheet,
+    quit,
+    export_picture,
+    export_window,
+    copy_window,
+    copy_view
+};
 
 /// What has changed since a view last looked.
 struct Changes {
@@ -36,6 +51,7 @@ struct Changes {
     bool look = false;
     bool message = false;
     std::optional<Request> request = std::nullopt;
+    std::string file = {};  ///< of a request to write one
 };
 
 class State {
@@ -60,10 +76,14 @@ class State {
     /// become the message.
     void show(const Opened& opened);
     /// Chooses a pixel: of one outside the picture, the nearest in it.
-    void pick(Pixel pixel);
+    void pick(Pixel pixel, Pick how = Pick::apart);
+    /// The pixels picked before and, after going back, those picked later.
+    const History& history() const { return history_; }
+    /// Chooses the pixel picked before, or later where `by` is 1; does nothing where there is none.
+    void go_back(int by = -1);
     void select(std::size_t ray);
     void change_look(const std::function<void(Look&)>& change);
-    void request(Request request);
+    void request(Request request, std::string file = {});
     /// Whether the chosen pixel's tree is still to come: then `poll` is to be called now and then.
     bool tracing() const { return tracing_; }
     /// Takes a tree that has come meanwhile, waiting for it no longer than `patience`.
@@ -72,12 +92,14 @@ class State {
     void say(std::string message);
 
   private:
+    void choose(Pixel pixel);
     void trace();
     bool take_tree(std::chrono::milliseconds patience);
     void tell(const Changes& changes) const;
 
     std::shared_ptr<const Document> document_;
     Pixel pixel_;
+    History history_;
     std::shared_ptr<const PixelTree> tree_;
     std::size_t selected_ = 0;
     bool tracing_ = false;

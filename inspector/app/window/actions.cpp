@@ -5,6 +5,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "window/exporter.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -77,6 +78,12 @@ void Actions::run(const Command& command, std::string argument) {
     try {
         if (command.argument == Argument::file && argument.empty()) {
             argument = ask_file_(qt(command.title)).toStdString();
+            if (argument.empty()) {
+                return;
+            }
+        }
+        if (command.argument == Argument::new_file && argument.empty()) {
+            argument = ask_new_file(state_, command, qobject_cast<QWidget*>(parent()));
             if (argument.empty()) {
                 return;
             }

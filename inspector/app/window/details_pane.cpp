@@ -3,6 +3,7 @@
 #include <QFontDatabase>
 #include <QScrollBar>
 
+#include "state/derivation_details.h"
 #include "state/details.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
@@ -118,6 +119,11 @@ void DetailsPane::show_ray() {
     writer.heading(*state_.selected());
     writer.equation(*state_.selected());
     for (const DetailSection& section : details_of(*state_.tree(), state_.selected()->id)) {
+        writer.section(section);
+    }
+    const Derivation derivation =
+        derive(state_.document()->world(), state_.tree()->tree, state_.selected()->id);
+    for (const DetailSection& section : derivation_details(derivation)) {
         writer.section(section);
     }
     setHtml(writer.take());

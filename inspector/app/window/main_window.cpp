@@ -15,7 +15,9 @@
 #include "window/actions.h"
 #include "window/cheat_sheet.h"
 #include "window/details_pane.h"
+#include "window/exporter.h"
 #include "window/outline_pane.h"
+#include "window/overlay_legend.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
@@ -48,6 +50,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->give_keys_to(picture_);
     actions_->give_keys_to(scene_);
+    new Exporter(state_, this, scene_);
     tracing_.setInterval(30);
     connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
@@ -75,6 +78,7 @@ QWidget* MainWindow::make_picture_box() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(1);
     layout->addWidget(picture_, 1);
+    layout->addWidget(new OverlayLegend(state_, feed_));
     layout->addWidget(hovered_);
     return box;
 }
@@ -149,7 +153,9 @@ void MainWindow::show_hovered(std::optional<Pixel> pixel) {
         return;
     }
     QString text = qt(text_of(*pixel));
-    if (const auto intensity = feed_.intensity(*pixel)) {
+    if (feed_.overlay()) {
+        text += QStringLiteral("   ") + qt(value_text(*feed_.overlay(), *pixel));
+    } else if (const auto intensity = feed_.intensity(*pixel)) {
         text += QStringLiteral("   ") +
                 qt(value_text(*intensity, state_.document()->scene().settings.quantize));
     }

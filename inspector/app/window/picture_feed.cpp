@@ -9,6 +9,9 @@ PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state
         if (changes.document) {
             restart();
         }
+        if (changes.document || (changes.look && state_.look().overlay != measure_)) {
+            measure();
+        }
     });
 }
 
@@ -28,7 +31,41 @@ void PictureFeed::restart() {
     poll();
 }
 
+/// Overlays are measured when they are asked for.
+void PictureFeed::measure() {
+    if (measuring_) {
+        measuring_->cancel();
+        ending_overlays_.push_back(std::move(measuring_));
+    }
+    measure_ = state_.look().overlay;
+    overlay_.reset();
+    overlay_failed_ = false;
+    if (measure_ && state_.document()) {
+        measuring_ = std::make_unique<OverlayRender>(state_.document(), *measure_);
+        timer_.start();
+    }
+    Q_EMIT updated();
+}
+
+void PictureFeed::poll_overlay() {
+    std::erase_if(ending_overlays_, [](const auto& render) { return render->stopped(); });
+    if (!measuring_) {
+        return;
+    }
+    if (measuring_->stopped()) {
+        overlay_ = measuring_->overlay();
+        overlay_failed_ = !overlay_;
+        const std::string failure = measuring_->failure();
+        measuring_.reset();
+        if (!failure.empty()) {
+            state_.say(failure);
+        }
+    }
+    Q_EMIT updated();
+}
+
 void PictureFeed::poll() {
+    poll_overlay();
     std::erase_if(ending_, [](const auto& render) { return render->stopped(); });
     const std::uint64_t now = render_->version();
     const bool finished = render_->stopped();
@@ -37,7 +74,8 @@ void PictureFeed::poll() {
         picture_ = render_->snapshot();
         Q_EMIT updated();
     }
-    if (finished && now == render_->version() && ending_.empty()) {
+    if (finished && now == render_->version() && ending_.empty() && !measuring_ &&
+        ending_overlays_.empty()) {
         timer_.stop();
     }
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "state/overlay.h"
 #include "state/picture.h"
 #include "state/state.h"
 
@@ -19,19 +20,32 @@ class PictureFeed : public QObject {
     explicit PictureFeed(State& state, QObject* parent = nullptr);
 
     const ShownPicture& picture() const { return picture_; }
-    bool done() const { return render_ && render_->done() && version_ == render_->version(); }
+    bool done() const {
+        return render_ && render_->done() && version_ == render_->version() && !measuring_;
+    }
     std::optional<Rgb<double>> intensity(Pixel pixel) const;
+    /// The overlay that is asked for; null until it has come.
+    const std::shared_ptr<const Overlay>& overlay() const { return overlay_; }
+    double overlay_share() const { return measuring_ ? measuring_->share() : 0; }
+    bool overlay_failed() const { return overlay_failed_; }
 
   Q_SIGNALS:
     void updated();
 
   private:
     void restart();
+    void measure();
     void poll();
+    void poll_overlay();
 
     State& state_;
     std::unique_ptr<PictureRender> render_;
     std::vector<std::unique_ptr<PictureRender>> ending_;  ///< cancelled, not yet at their end
+    std::unique_ptr<OverlayRender> measuring_;            ///< null when it is done
+    std::vector<std::unique_ptr<OverlayRender>> ending_overlays_;
+    std::shared_ptr<const Overlay> overlay_;
+    std::optional<Measure> measure_;  ///< of what overlay_ is or will be
+    bool overlay_failed_ = false;
     ShownPicture picture_;
     std::uint64_t version_ = 0;
     QTimer timer_;

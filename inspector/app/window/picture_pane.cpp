@@ -121,9 +121,7 @@ void PicturePane::paintEvent(QPaintEvent*) {
         return;
     }
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ < 1.5);
-    const double cell = scale_ * feed_.picture().stride;
-    painter.drawImage(QRectF(origin_, QSizeF(image_.width() * cell, image_.height() * cell)),
-                      image_);
+    draw_image(painter);
     if (scale_ >= grid_from) {
         draw_grid(painter);
     }
@@ -131,6 +129,19 @@ void PicturePane::paintEvent(QPaintEvent*) {
         draw_values(painter);
     }
     draw_cross(painter);
+}
+
+/// The picture, or the overlay once it is there.
+void PicturePane::draw_image(QPainter& painter) const {
+    if (const auto& overlay = feed_.overlay()) {
+        const QImage map(reinterpret_cast<const uchar*>(overlay->cells.data()), overlay->width,
+                         overlay->height, overlay->width * 4, QImage::Format_RGB32);
+        painter.drawImage(QRectF(origin_, picture_size() * scale_), map);
+        return;
+    }
+    const double cell = scale_ * feed_.picture().stride;
+    painter.drawImage(QRectF(origin_, QSizeF(image_.width() * cell, image_.height() * cell)),
+                      image_);
 }
 
 void PicturePane::draw_grid(QPainter& painter) const {
@@ -155,21 +166,35 @@ void PicturePane::draw_values(QPainter& painter) const {
     painter.setFont(font);
     const auto first = (QPointF(0, 0) - origin_) / scale_;
     const auto last = (QPointF(width(), height()) - origin_) / scale_;
-    const Quantize quantize = state_.document()->scene().settings.quantize;
     for (int j = static_cast<int>(first.y()); j <= static_cast<int>(last.y()); ++j) {
         for (int i = static_cast<int>(first.x()); i <= static_cast<int>(last.x()); ++i) {
-            const auto intensity = feed_.intensity({i, j});
-            if (!intensity) {
-                continue;
-            }
-            const EightBit pixel = eight_bit(*intensity, quantize);
-            const auto [r, g, b] = pixel.value;
-            const bool bright = 2 * r + 5 * g + b > 8 * 128;
+            bool bright = false;
+            const QString value = value_in({i, j}, &bright);
             painter.setPen(bright ? QColor(0, 0, 0, 210) : QColor(255, 255, 255, 220));
-            painter.drawText(rect_of({i, j}), Qt::AlignCenter,
-                             QStringLiteral("%1\n%2\n%3").arg(r).arg(g).arg(b));
+            painter.drawText(rect_of({i, j}), Qt::AlignCenter | Qt::TextWordWrap, value);
         }
     }
+}
+
+/// What is written into a pixel, and whether its colour is bright.
+QString PicturePane::value_in(Pixel pixel, bool* bright) const {
+    const auto is_bright = [](int r, int g, int b) { return 2 * r + 5 * g + b > 8 * 128; };
+    if (!state_.document()->contains(pixel)) {
+        return {};
+    }
+    if (const auto& overlay = feed_.overlay()) {
+        const auto [r, g, b] = map_colour(overlay->at(pixel), overlay->measure, overlay->range);
+        *bright = is_bright(r, g, b);
+        return qt(value_text(*overlay, pixel));
+    }
+    const auto intensity = feed_.intensity(pixel);
+    if (!intensity) {
+        return {};
+    }
+    const auto [r, g, b] =
+        eight_bit(*intensity, state_.document()->scene().settings.quantize).value;
+    *bright = is_bright(r, g, b);
+    return QStringLiteral("%1\n%2\n%3").arg(r).arg(g).arg(b);
 }
 
 /// Dark within light, so that it shows on any colour.
@@ -222,7 +247,7 @@ void PicturePane::mouseMoveEvent(QMouseEvent* event) {
         keep_in_place();
         update();
     } else if (pixel && (event->buttons() & Qt::LeftButton)) {
-        state_.pick(*pixel);
+        state_.pick(*pixel, Pick::on_the_way);
     }
     Q_EMIT hovered(pixel);
 }

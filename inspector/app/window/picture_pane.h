@@ -41,6 +41,8 @@ class PicturePane : public QWidget {
     std::optional<Pixel> pixel_at(QPointF place) const;
     QRectF rect_of(Pixel pixel) const;
     QSizeF picture_size() const;
+    void draw_image(QPainter& painter) const;
+    QString value_in(Pixel pixel, bool* bright) const;
     void draw_grid(QPainter& painter) const;
     void draw_values(QPainter& painter) const;
     void draw_cross(QPainter& painter) const;

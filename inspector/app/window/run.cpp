@@ -3,12 +3,12 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
-#include <QBuffer>
 #include <QElapsedTimer>
 #include <QSurfaceFormat>
 
 #include "formats/output_file.h"
 #include "state/commands.h"
+#include "window/exporter.h"
 #include "window/main_window.h"
 #include "window/scene_pane.h"
 
@@ -34,11 +34,7 @@ void wait_until_drawn(const State& state, MainWindow& window) {
 
 void take_screenshot(const State& state, MainWindow& window, const std::filesystem::path& file) {
     wait_until_drawn(state, window);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    window.grab().toImage().convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
-    write_output(file.string(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    write_output(file.string(), png_of(window));
 }
 
 }  // namespace

@@ -1,0 +1,135 @@
+#include "window/overlay_legend.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr int margin = 8, bar_height = 10;
+
+QColor colour_of(const Colour8& c) { return {c[0], c[1], c[2]}; }
+
+/// "62 %"; what is less than half of one is "< 1 %".
+QString percent(std::size_t part, std::size_t whole) {
+    const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+    return share < 0.5 ? QStringLiteral("< 1 %") : QStringLiteral("%1 %").arg(qRound(share));
+}
+
+}  // namespace
+
+OverlayLegend::OverlayLegend(State& state, PictureFeed& feed, QWidget* parent)
+    : QWidget(parent), state_(state), feed_(feed) {
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    hide();
+    connect(&feed_, &PictureFeed::updated, this, &OverlayLegend::renew);
+    state_.observe([this](const Changes& changes) {
+        if (changes.look || changes.tree || changes.document) {
+            renew();
+        }
+    });
+}
+
+void OverlayLegend::renew() {
+    setVisible(state_.look().overlay.has_value());
+    updateGeometry();
+    update();
+}
+
+int OverlayLegend::line() const { return fontMetrics().height() + 2; }
+
+QSize OverlayLegend::sizeHint() const {
+    const auto& overlay = feed_.overlay();
+    const bool reasons = overlay && overlay->measure == Measure::ended;
+    const int body = reasons ? line() * static_cast<int>((overlay->reasons.size() + 1) / 2)
+                             : bar_height + 6 + line();
+    return {200, margin + line() + 4 + body + margin / 2};
+}
+
+void OverlayLegend::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Palette& palette = palette_of(state_.look().theme);
+    painter.setPen(qt(palette.text));
+    const QRect title(margin, margin, width() - 2 * margin, line());
+    const auto draw_title = [&](const QString& text) {
+        painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text, Qt::ElideRight, title.width()));
+    };
+    const auto& overlay = feed_.overlay();
+    if (!overlay) {
+        draw_title(feed_.overlay_failed()
+                       ? QStringLiteral("This cannot be measured.")
+                       : QStringLiteral("Measuring… %1 %")
+                             .arg(static_cast<int>(100 * feed_.overlay_share())));
+        return;
+    }
+    QString text = qt(text_of(overlay->measure));
+    text[0] = text[0].toUpper();
+    draw_title(text);
+    overlay->measure == Measure::ended ? draw_reasons(painter, *overlay)
+                                       : draw_scale(painter, *overlay);
+}
+
+/// A bar from the least value to the most, and under it a mark with the chosen pixel's value.
+void OverlayLegend::draw_scale(QPainter& painter, const Overlay& overlay) const {
+    const Palette& palette = palette_of(state_.look().theme);
+    const MapRange& range = overlay.range;
+    const QRect bar(margin, margin + line() + 4, width() - 2 * margin, bar_height);
+    for (int x = 0; x < bar.width(); ++x) {
+        const double share = static_cast<double>(x) / std::max(1, bar.width() - 1);
+        painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(),
+                         colour_of(scale_colour(range.most > range.least ? share : 0)));
+    }
+    const double value = overlay.at(state_.pixel());
+    const double share =
+        range.most > range.least
+            ? std::clamp((value - range.least) / (range.most - range.least), 0.0, 1.0)
+            : 0;
+    const double x = bar.left() + share * (bar.width() - 1);
+    const double y = bar.bottom() + 2;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(qt(palette.text));
+    painter.drawPolygon(QPolygonF({{x, y - 3}, {x - 5, y + 5}, {x + 5, y + 5}}));
+
+    const QRect below(bar.left(), bar.bottom() + 6, bar.width(), line());
+    const QString least = qt(measured_text(range.least, overlay.measure));
+    const QString most = (range.beyond > range.most ? QStringLiteral("≥ ") : QString()) +
+                         qt(measured_text(range.most, overlay.measure));
+    const QString here = QStringLiteral("this pixel: ") + qt(value_text(overlay, state_.pixel()));
+    painter.setPen(qt(palette.dim_text));
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, least);
+    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, most);
+    painter.setPen(qt(palette.text));
+    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, here);
+}
+
+/// Two columns, the most frequent reason first; the chosen pixel's has a frame.
+void OverlayLegend::draw_reasons(QPainter& painter, const Overlay& overlay) const {
+    const Palette& palette = palette_of(state_.look().theme);
+    const int column = (width() - 2 * margin) / 2;
+    const auto chosen = static_cast<Reason>(overlay.at(state_.pixel()));
+    for (std::size_t k = 0; k < overlay.reasons.size(); ++k) {
+        const auto& [reason, pixels] = overlay.reasons[k];
+        const QRect row(margin + static_cast<int>(k % 2) * column,
+                        margin + line() * (1 + static_cast<int>(k / 2)) + 4, column - 6, line());
+        const QRect swatch(row.left() + 3, row.top() + (row.height() - 10) / 2, 10, 10);
+        painter.fillRect(swatch, colour_of(reason_colour(reason)));
+        if (reason == chosen) {
+            painter.setPen(QPen(qt(palette.text), 1.2));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawRoundedRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
+        }
+        const QString share = percent(pixels, overlay.values.size());
+        const int room = row.width() - 22 - fontMetrics().horizontalAdvance(share) - 8;
+        painter.setPen(qt(palette.text));
+        painter.drawText(row.adjusted(19, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(qt(plain_word(reason)), Qt::ElideRight, room));
+        painter.setPen(qt(palette.dim_text));
+        painter.drawText(row.adjusted(0, 0, -5, 0), Qt::AlignRight | Qt::AlignVCenter, share);
+    }
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QWidget>
+
+#include "window/picture_feed.h"
+
+namespace raytree::inspector {
+
+/// What the overlay's colours mean: a scale or the reasons, with the chosen pixel's value marked.
+/// Hidden where the picture itself is shown.
+class OverlayLegend : public QWidget {
+    Q_OBJECT
+
+  public:
+    OverlayLegend(State& state, PictureFeed& feed, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent*) override;
+
+  private:
+    void renew();
+    int line() const;
+    void draw_scale(QPainter& painter, const Overlay& overlay) const;
+    void draw_reasons(QPainter& painter, const Overlay& overlay) const;
+
+    State& state_;
+    PictureFeed& feed_;
+};
+
+}  // namespace raytree::inspector

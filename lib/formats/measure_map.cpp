@@ -1,0 +1,72 @@
+#include "formats/measure_map.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tree/explain.h"
+
+namespace raytree {
+namespace {
+
+/// What each measure says of a pixel, and in which unit; in the order of Measure.
+struct Meaning {
+    std::string_view word;
+    std::string_view text;
+    double unit;  ///< of a value, in those of Measurement
+    const char* unit_name;
+};
+constexpr std::array<Meaning, 5> meanings = {{
+    {"rays", "rays in the pixel's tree, shadow rays too", 1, ""},
+    {"levels", "levels of the pixel's tree", 1, ""},
+    {"tests", "tests of a ray with a shape", 1, ""},
+    {"time", "time that the pixel took", 1000, " µs"},
+    {"ended", "why the weightiest branch of the pixel's tree ended", 1, ""},
+}};
+
+const Meaning& meaning_of(Measure measure) { return meanings[static_cast<std::size_t>(measure)]; }
+
+}  // namespace
+
+std::string_view word_of(Measure measure) { return meaning_of(measure).word; }
+std::string_view text_of(Measure measure) { return meaning_of(measure).text; }
+
+std::string measured_text(double value, Measure measure) {
+    const Meaning& meaning = meaning_of(measure);
+    return number_text(value / meaning.unit) + meaning.unit_name;
+}
+
+MapRange map_range(const std::vector<double>& values, Measure measure) {
+    const auto [least, most] = std::ranges::minmax(values);
+    if (measure != Measure::nanoseconds) {
+        return {least, most, most};
+    }
+    std::vector<double> sorted = values;
+    const auto last = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) * 99 / 100);
+    std::ranges::nth_element(sorted, last);
+    return {least, *last, most};
+}
+
+Colour8 map_colour(double value, Measure measure, const MapRange& range) {
+    if (measure == Measure::ended) {
+        return reason_colour(static_cast<Reason>(value));
+    }
+    const double extent = range.most - range.least;
+    return scale_colour(extent > 0 ? (value - range.least) / extent : 0);
+}
+
+std::vector<ReasonPixels> reasons_in(const std::vector<double>& map) {
+    std::array<std::size_t, reason_count> pixels{};
+    for (const double reason : map) {
+        ++pixels[static_cast<std::size_t>(reason)];
+    }
+    std::vector<ReasonPixels> present;
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        if (pixels[k] > 0) {
+            present.push_back({static_cast<Reason>(k), pixels[k]});
+        }
+    }
+    std::ranges::stable_sort(present, std::greater{}, &ReasonPixels::pixels);
+    return present;
+}
+
+}  // namespace raytree

@@ -1,0 +1,171 @@
+#include "tree/derivation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ranges>
+
+namespace raytree {
+namespace {
+
+using Tree = RayTree<double>;
+using Node = TreeRay<double>;
+
+/// The shape that goes by a name in the tree.
+PrimitiveId named(const World<double>& world, const std::string& name) {
+    const auto& shapes = world.shapes.shapes();
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const auto id = static_cast<PrimitiveId>(k);
+        if (name.starts_with(world.scene().objects[shapes[id].object].name) &&
+            primitive_name(world.scene(), shapes[id]) == name) {
+            return id;
+        }
+    }
+    return no_primitive;
+}
+
+Ray<double> ray_of(const Node& node) {
+    const double error =
+        node.parent ? 4 * Real<double>::unit_roundoff * largest_component(node.origin) : 0.0;
+    return {node.origin, node.direction, error};
+}
+
+Interval<double> interval_of(const World<double>& world, const Node& node) {
+    Interval<double> interval;
+    if (!node.parent) {
+        interval.from = world.camera.near_along(node.direction);
+    }
+    if (node.shadow && node.shadow->distance) {
+        interval.to = *node.shadow->distance;
+    }
+    return interval;
+}
+
+/// Where the tree says that the ray ends at a shape: its hit, or what blocks it.
+std::optional<Blocker<double>> end_of(const Node& node) {
+    if (node.hit) {
+        return Blocker<double>{node.hit->object, node.hit->t};
+    }
+    return node.shadow ? node.shadow->blocked_by : std::nullopt;
+}
+
+std::vector<Vec3<double>> vertices_of(const Shape& shape, int part) {
+    std::vector<Vec3<double>> vertices;
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+        for (const Point& vertex : polygon->vertices) {
+            vertices.push_back({vertex.x, vertex.y, vertex.z});
+        }
+    } else if (const auto* mesh = std::get_if<Mesh>(&shape)) {
+        for (const Mesh::Corner& corner : mesh->triangles[static_cast<std::size_t>(part)]) {
+            const Point& vertex = mesh->vertices[static_cast<std::size_t>(corner.vertex)];
+            vertices.push_back({vertex.x, vertex.y, vertex.z});
+        }
+    }
+    return vertices;
+}
+
+void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, double t,
+                Derivation& result) {
+    const Primitive& primitive = world.shapes.shapes()[id];
+    const Object& object = world.scene().objects[primitive.object];
+    result.own_space = object.transform.has_value();
+    if (object.transform) {
+        ray = AffineMap<double>(*object.transform).ray_to_own_space(ray);
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+        result.how = derive_sphere(*sphere, ray, t);
+    } else if (!std::holds_alternative<Cone>(object.shape)) {
+        result.how = derive_polygon(vertices_of(object.shape, primitive.part), ray);
+    }
+}
+
+/// Enters and leaves what the rays from the eye to this one do.
+std::vector<Medium> media_of(const Scene& scene, const World<double>& world, const Tree& tree,
+                             const Node& node) {
+    std::vector<const Node*> way;
+    for (const Node* at = &node; at->parent; at = &tree.rays[*at->parent]) {
+        way.push_back(at);
+    }
+    std::vector<std::size_t> inside;
+    for (const Node* const at : way | std::views::reverse) {
+        const TreeHit<double>& hit = *tree.rays[*at->parent].hit;
+        const PrimitiveId id = named(world, hit.object);
+        if (at->kind != RayKind::refracted || id == no_primitive) {
+            continue;
+        }
+        const std::size_t material = scene.objects[world.shapes.shapes()[id].object].material;
+        if (hit.side == Side::front) {
+            inside.push_back(material);
+        } else if (const auto last = std::find(inside.rbegin(), inside.rend(), material);
+                   last != inside.rend()) {
+            inside.erase(std::next(last).base());
+        }
+    }
+    std::vector<Medium> media;
+    for (const std::size_t material : inside) {
+        media.push_back({scene.materials[material].name, scene.materials[material].ior});
+    }
+    return media;
+}
+
+}  // namespace
+
+SphereDerivation derive_sphere(const Sphere& sphere, const Ray<double>& ray, double t) {
+    const Vec3<double> f =
+        ray.origin - Vec3<double>{sphere.center.x, sphere.center.y, sphere.center.z};
+    SphereDerivation result;
+    result.a = inner(ray.direction, ray.direction);
+    result.b = 2 * inner(ray.direction, f);
+    result.c = inner(f, f) - sphere.radius * sphere.radius;
+    result.discriminant = result.b * result.b - 4 * result.a * result.c;
+    const double root = std::sqrt(std::max(0.0, result.discriminant));
+    result.roots = {(-result.b - root) / (2 * result.a), (-result.b + root) / (2 * result.a)};
+    result.taken = std::abs(result.roots[0] - t) <= std::abs(result.roots[1] - t) ? 0 : 1;
+    return result;
+}
+
+PolygonDerivation derive_polygon(std::span<const Vec3<double>> vertices, const Ray<double>& ray) {
+    const PolygonShape<double> polygon = make_polygon<double>(vertices, {});
+    PolygonDerivation result;
+    result.normal = polygon.plane.normal.vec();
+    result.offset = inner(result.normal, polygon.plane.point);
+    result.start = inner(result.normal, ray.origin);
+    result.speed = inner(result.normal, ray.direction);
+    result.t = (result.offset - result.start) / result.speed;
+    result.dropped = 3 - polygon.axes.u - polygon.axes.v;
+    result.u = ray.origin[polygon.axes.u] + result.t * ray.direction[polygon.axes.u];
+    result.v = ray.origin[polygon.axes.v] + result.t * ray.direction[polygon.axes.v];
+    const auto& outline = polygon.outline;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const auto& [u0, v0] = outline[j];
+        const auto& [u1, v1] = outline[i];
+        if ((v0 > result.v) != (v1 > result.v)) {
+            const double crossing = u0 + (result.v - v0) / (v1 - v0) * (u1 - u0);
+            result.crossings += crossing > result.u ? 1 : 0;
+        }
+    }
+    return result;
+}
+
+Derivation derive(const World<double>& world, const RayTree<double>& tree, std::size_t id) {
+    const Node& node = tree.rays[id];
+    const PrimitiveId leaving =
+        node.parent ? named(world, tree.rays[*node.parent].hit->object) : no_primitive;
+    const Ray<double> ray = ray_of(node);
+    const auto end = end_of(node);
+    Derivation result;
+    NoTestCount count;
+    for (const Hit<double>& hit : world.shapes.all(ray, leaving, interval_of(world, node), count)) {
+        std::string name = primitive_name(world.scene(), world.shapes.shapes()[hit.primitive]);
+        const bool taken = end && end->t == hit.t && end->object == name;
+        if (taken) {
+            result.starts_on_it = hit.primitive == leaving;
+            derive_hit(world, hit.primitive, ray, hit.t, result);
+        }
+        result.along.push_back({std::move(name), hit.t, taken});
+    }
+    result.media = media_of(world.scene(), world, tree, node);
+    return result;
+}
+
+}  // namespace raytree
