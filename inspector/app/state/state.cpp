@@ -82,6 +82,11 @@ void State::change_look(const std::function<void(Look&)>& change) {
     tell({.look = true});
 }
 
+void State::change_tree_pane(const TreePane& tree_pane) {
+    tree_pane_ = tree_pane;
+    tell({.tree_pane = true});
+}
+
 void State::request(Request request) { tell({.request = request}); }
 
 void State::say(std::string message) {
