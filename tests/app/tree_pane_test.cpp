@@ -8,6 +8,7 @@
 #include "state/commands.h"
 #include "state/counts.h"
 #include "state/diagram.h"
+#include "support/scenes.h"
 
 namespace raytree::inspector {
 namespace {
@@ -84,8 +85,10 @@ TEST_CASE("app: a tree with very many rays is folded by itself") {
     Scene scene = test::glass_ball_scene();
     scene.settings.max_depth = 24;
     scene.settings.min_weight = 0;
-    for (Material& material : scene.materials) {
-        material.kr = material.kt = Colour(0.9);
+    scene.materials.front().kr = scene.materials.front().kt = Colour(0.6);
+    scene.materials.front().ior = 1;
+    for (const double z : {2.0, 2.5, 3.0, 3.5, 4.0}) {
+        raytree::test::add(scene, Polygon{{{-9, -9, z}, {9, -9, z}, {9, 9, z}, {-9, 9, z}}, {}}, 0);
     }
     scene.settings.ray_budget = 20000;
     const State state = shown(scene);

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "app/scenes.h"
+#include "state/commands.h"
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"

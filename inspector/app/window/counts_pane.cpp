@@ -61,8 +61,9 @@ class Writer {
     /// A number and what it is the number of.
     void counted(std::size_t count, const QString& name, const QString& why) {
         html_ += QStringLiteral(
-                     "<tr><td align='right' style='font-family:%1; padding-right:8px'>%2</td>"
-                     "<td width='100%'><b>%3</b> <span style='color:%4'>– %5</span></td></tr>")
+                     "<tr><td width='10%' align='right' style='font-family:%1; "
+                     "padding-right:8px'>%2</td>"
+                     "<td width='90%'><b>%3</b> <span style='color:%4'>– %5</span></td></tr>")
                      .arg(mono_, number(count), name, dim_, why);
     }
 

@@ -16,7 +16,20 @@ namespace {
 
 constexpr double margin = 14;  // around the diagram
 constexpr double least_scale = 0.02, most_scale = 4;
-constexpr double least_readable = 0.95, most_at_first = 1.25;
+constexpr double least_readable = 0.72, most_at_first = 1.25;
+
+/// From where to where the two upper levels reach.
+std::pair<double, double> top_of(const Diagram& diagram) {
+    const DiagramBox& root = diagram.boxes.front();
+    std::pair<double, double> reach{root.x, root.x + root.card_width + root.lights_width};
+    for (const DiagramBox& box : diagram.boxes) {
+        if (box.parent == std::size_t{0}) {
+            reach.first = std::min(reach.first, box.x);
+            reach.second = std::max(reach.second, box.x + box.card_width + box.lights_width);
+        }
+    }
+    return reach;
+}
 
 }  // namespace
 
@@ -57,17 +70,18 @@ void DiagramPane::prepare() {
     }
 }
 
-/// As large as can be read at once: all of it, or else the top of it.
+/// All of it where that can be read, or else the primary ray's box and those of its branches.
 void DiagramPane::begin_view() {
     if (diagram_.boxes.empty()) {
         return;
     }
     own_view_ = true;
-    const double all = std::min((width() - 2 * margin) / diagram_.width,
-                                (height() - 2 * margin) / diagram_.height);
-    scale_ = std::clamp(all, least_readable, most_at_first);
-    const DiagramPlace root = frame_of(diagram_.boxes.front());
-    origin_ = {width() / 2.0 - scale_ * (root.x + root.width / 2), margin};
+    const auto [from, to] = top_of(diagram_);
+    const double room = width() - 2 * margin;
+    const double all = std::min(room / diagram_.width, (height() - 2 * margin) / diagram_.height);
+    scale_ =
+        std::clamp(std::max(all, std::min(1.0, room / (to - from))), least_readable, most_at_first);
+    origin_ = {width() / 2.0 - scale_ * (from + to) / 2, margin};
     keep_in_place();
     reveal_ = true;
 }
@@ -147,6 +161,7 @@ void DiagramPane::paintEvent(QPaintEvent*) {
         painter.restore();
         draw_note(painter);
     }
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(qt(hasFocus() ? palette.accent : palette.rule));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
