@@ -1,6 +1,5 @@
 #include "state/commands.h"
 
-#include <algorithm>
 #include <charconv>
 
 #include "state/diagram.h"
@@ -283,33 +282,5 @@ constexpr Command table[] = {
 }  // namespace
 
 std::span<const Command> commands() { return table; }
-
-const Command* find_command(std::string_view id) {
-    const auto found = std::ranges::find(table, id, &Command::id);
-    return found == std::end(table) ? nullptr : found;
-}
-
-void run_command(State& state, std::string_view id, std::string_view argument) {
-    const Command* const command = find_command(id);
-    if (!command) {
-        throw InputError("", std::string(id), "there is no such command");
-    }
-    if (!command->possible || command->possible(state)) {
-        command->run(state, argument);
-    }
-}
-
-void run_line(State& state, std::string_view line) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t begin = line.find_first_not_of(blanks);
-    if (begin == std::string_view::npos || line[begin] == '#') {
-        return;
-    }
-    line = line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
-    const std::size_t end = std::min(line.find_first_of(blanks), line.size());
-    const std::size_t argument = line.find_first_not_of(blanks, end);
-    run_command(state, line.substr(0, end),
-                argument == std::string_view::npos ? "" : line.substr(argument));
-}
 
 }  // namespace raytree::inspector

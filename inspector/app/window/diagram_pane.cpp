@@ -16,16 +16,16 @@ namespace {
 
 constexpr double margin = 14;  // around the diagram
 constexpr double least_scale = 0.02, most_scale = 4;
-constexpr double least_readable = 0.72, most_at_first = 1.25;
+constexpr double least_readable = 0.7, most_at_first = 1.25;
 
-/// From where to where the two upper levels reach.
+/// From where to where the frames of the two upper levels reach.
 std::pair<double, double> top_of(const Diagram& diagram) {
     const DiagramBox& root = diagram.boxes.front();
     std::pair<double, double> reach{root.x, root.x + root.card_width + root.lights_width};
     for (const DiagramBox& box : diagram.boxes) {
         if (box.parent == std::size_t{0}) {
             reach.first = std::min(reach.first, box.x);
-            reach.second = std::max(reach.second, box.x + box.card_width + box.lights_width);
+            reach.second = std::max(reach.second, box.x + box.card_width);
         }
     }
     return reach;
@@ -78,7 +78,8 @@ void DiagramPane::begin_view() {
     own_view_ = true;
     const auto [from, to] = top_of(diagram_);
     const double room = width() - 2 * margin;
-    const double all = std::min(room / diagram_.width, (height() - 2 * margin) / diagram_.height);
+    const double all =
+        std::min(room / diagram_.width, (room_height() - 2 * margin) / diagram_.height);
     scale_ =
         std::clamp(std::max(all, std::min(1.0, room / (to - from))), least_readable, most_at_first);
     origin_ = {width() / 2.0 - scale_ * (from + to) / 2, margin};
@@ -92,7 +93,7 @@ void DiagramPane::fit() {
     }
     own_view_ = false;
     scale_ = std::clamp(std::min((width() - 2 * margin) / diagram_.width,
-                                 (height() - 2 * margin) / diagram_.height),
+                                 (room_height() - 2 * margin) / diagram_.height),
                         least_scale, 1.5);
     keep_in_place();
 }
@@ -113,7 +114,7 @@ void DiagramPane::keep_in_place() {
         return least >= margin ? (room - size) / 2 : std::clamp(at, least, margin);
     };
     origin_ = {kept(origin_.x(), scale_ * diagram_.width, width()),
-               kept(origin_.y(), scale_ * diagram_.height, height())};
+               kept(origin_.y(), scale_ * diagram_.height, room_height())};
 }
 
 void DiagramPane::reveal_selection() {
@@ -124,7 +125,7 @@ void DiagramPane::reveal_selection() {
         return from < 0 ? -from : to > room ? std::max(room - to, -from) : 0;
     };
     origin_ += {shift(origin_.x() + scale_ * place.x, place.width, width()),
-                shift(origin_.y() + scale_ * place.y, place.height, height())};
+                shift(origin_.y() + scale_ * place.y, place.height, room_height())};
     keep_in_place();
 }
 
@@ -178,14 +179,15 @@ void DiagramPane::draw_note(QPainter& painter) const {
                                    "· K folds more, Shift+K less")
                                    .arg(qt(number_text(folded_below_)));
     const Palette& palette = palette_of(state_.look().theme);
-    const QFontMetrics metrics(font());
-    const QRectF box(6, height() - metrics.height() - 10, metrics.horizontalAdvance(text) + 12,
-                     metrics.height() + 4);
-    painter.setPen(qt(palette.rule));
-    painter.setBrush(qt(palette.window));
-    painter.drawRect(box);
+    const QRectF strip(0, room_height(), width(), height() - room_height());
+    painter.fillRect(strip, qt(palette.window));
     painter.setPen(qt(palette.dim_text));
-    painter.drawText(box, Qt::AlignCenter, text);
+    painter.drawText(strip.adjusted(8, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
+}
+
+/// The height that the diagram has, without the note.
+double DiagramPane::room_height() const {
+    return height() - (folded_below_ > 0 ? fontMetrics().height() + 6 : 0);
 }
 
 bool DiagramPane::event(QEvent* event) {
