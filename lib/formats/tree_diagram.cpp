@@ -36,8 +36,8 @@ bool is_lacking(Reason reason) {
 
 class DiagramMaker {
   public:
-    explicit DiagramMaker(const RayTree<double>& tree)
-        : tree_(tree), children_(children_of(tree)) {}
+    DiagramMaker(const RayTree<double>& tree, double fold_below)
+        : tree_(tree), fold_below_(fold_below), children_(children_of(tree)) {}
 
     Diagram make() {
         if (!tree_.rays.empty()) {
@@ -55,7 +55,7 @@ class DiagramMaker {
         for (const RayKind kind : {RayKind::reflected, RayKind::refracted}) {
             for (const std::size_t child : children_[ray.id]) {
                 if (tree_.rays[child].kind == kind) {
-                    add_ray(tree_.rays[child], own);
+                    add_branch(tree_.rays[child], own);
                 }
             }
             for (const Skipped& skipped : ray.skipped) {
@@ -63,6 +63,14 @@ class DiagramMaker {
                     diagram_.boxes.push_back(absent_box(ray, skipped, own));
                 }
             }
+        }
+    }
+
+    void add_branch(const Ray& ray, std::size_t parent) {
+        if (largest_component(ray.weight) < fold_below_) {
+            diagram_.boxes.push_back(folded_box(ray, parent));
+        } else {
+            add_ray(ray, parent);
         }
     }
 
@@ -129,10 +137,10 @@ class DiagramMaker {
         }
         for (const Skipped& skipped : ray.skipped) {
             if (skipped.kind == RayKind::shadow) {
-                box.lights.push_back({LightRow::State::absent, skipped.light,
-                                      short_reason(skipped.reason),
-                                      "no shadow ray to " + skipped.light + ": " +
-                                          skipped_text(tree_, ray, skipped)});
+                box.lights.push_back(
+                    {LightRow::State::absent, skipped.light, short_reason(skipped.reason),
+                     "no shadow ray to " + skipped.light + ": " + skipped_text(tree_, ray, skipped),
+                     std::nullopt});
             }
         }
         for (LightRow& row : box.lights) {
@@ -147,6 +155,7 @@ class DiagramMaker {
         const ShadowPart<double>& shadow = *ray.shadow;
         LightRow row;
         row.light = shadow.light;
+        row.ray = ray.id;
         row.state = reaches_light(ray) ? LightRow::State::lit : LightRow::State::blocked;
         row.fate = short_fate(ray);
         row.tooltip = "#" + std::to_string(ray.id) + " shadow ray to " + shadow.light + " " +
@@ -165,12 +174,35 @@ class DiagramMaker {
         box.lines = broken(short_reason(skipped.reason));
         box.tooltip = "no " + std::string(word_of(skipped.kind)) +
                       " ray: " + skipped_text(tree_, ray, skipped);
+        frame_words(box);
+        return box;
+    }
+
+    Box folded_box(const Ray& ray, std::size_t parent) const {
+        std::size_t end = ray.id + 1;  // what hangs from a ray comes right after it
+        while (end < tree_.rays.size() && tree_.rays[end].parent >= ray.id) {
+            ++end;
+        }
+        Box box;
+        box.folded = end - ray.id;
+        box.parent = parent;
+        box.ray = &ray;
+        box.branch = ray.kind;
+        box.title = "folded";
+        box.lines = {std::to_string(box.folded) + (box.folded == 1 ? " ray" : " rays")};
+        box.tooltip = "#" + std::to_string(ray.id) + " " + std::string(word_of(ray.kind)) +
+                      " ray and what hangs from it: " + box.lines.front() +
+                      "\nshare of the pixel: " + triple_text(ray.weight);
+        frame_words(box);
+        return box;
+    }
+
+    static void frame_words(Box& box) {
         double text = width_of(box.title);
         for (const std::string& line : box.lines) {
             text = std::max(text, width_of(line));
         }
         frame(box, text);
-        return box;
     }
 
     void place() {
@@ -190,13 +222,16 @@ class DiagramMaker {
     }
 
     const RayTree<double>& tree_;
+    double fold_below_;
     std::vector<std::vector<std::size_t>> children_;
     Diagram diagram_;
 };
 
 }  // namespace
 
-Diagram diagram_of(const RayTree<double>& tree) { return DiagramMaker(tree).make(); }
+Diagram diagram_of(const RayTree<double>& tree, double fold_below) {
+    return DiagramMaker(tree, fold_below).make();
+}
 
 std::string short_fate(const TreeRay<double>& shadow_ray) {
     const ShadowPart<double>& shadow = *shadow_ray.shadow;

@@ -17,18 +17,21 @@ struct LightRow {
     std::string light;
     std::string fate;     ///< "reaches it", "ball in between", or the reason in a few words
     std::string tooltip;  ///< the whole sentence
+    std::optional<std::size_t> ray;  ///< of one that was sent
 };
 
-/// A box of the diagram: a ray with what it hit and the shadow rays from there, or a ray that was
-/// not sent.
+/// A box of the diagram: a ray with what it hit and the shadow rays from there, a ray that was not
+/// sent, or a branch that is folded.
 struct DiagramBox {
     bool absent = false;
-    std::optional<std::size_t> parent;     ///< an earlier box
-    const TreeRay<double>* ray = nullptr;  ///< of one that was not sent, the ray that hit
-    RayKind branch = RayKind::primary;     ///< what kind of ray leads here
-    std::string title;                     ///< what was hit
-    std::vector<std::string> lines;        ///< its intensity; of one not sent, the reason
-    std::vector<std::string> notes;        ///< of a ray, as of `notes_of`
+    std::size_t folded = 0;             ///< of a folded branch: its rays
+    std::optional<std::size_t> parent;  ///< an earlier box
+    const TreeRay<double>* ray =
+        nullptr;  ///< of one that was not sent, the ray that hit; of a folded branch, its first
+    RayKind branch = RayKind::primary;  ///< what kind of ray leads here
+    std::string title;                  ///< what was hit
+    std::vector<std::string> lines;     ///< its intensity; of one not sent, the reason
+    std::vector<std::string> notes;     ///< of a ray, as of `notes_of`
     std::string tooltip;
     std::vector<LightRow> lights;
     double x = 0, y = 0;      ///< of the whole, in CSS pixels, y down
@@ -54,7 +57,8 @@ struct Diagram {
     double height = 0;
 };
 
-Diagram diagram_of(const RayTree<double>& tree);
+/// Branches whose share of the pixel is below `fold_below` in every channel are one box each.
+Diagram diagram_of(const RayTree<double>& tree, double fold_below = 0);
 
 /// What became of a shadow ray in two or three words: "reaches it", "blocked: ball".
 std::string short_fate(const TreeRay<double>& shadow_ray);

@@ -4,12 +4,16 @@
 #include <QAction>
 #include <QApplication>
 #include <QMessageBox>
+#include <QTabBar>
 #include <QTimer>
 #include <QTreeWidget>
 #include <QtTest>
 
 #include "app/scenes.h"
+#include "state/commands.h"
+#include "window/counts_pane.h"
 #include "window/details_pane.h"
+#include "window/diagram_pane.h"
 #include "window/main_window.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
@@ -160,6 +164,55 @@ class WindowTest : public QObject {
         QTest::keyClick(&window_->outline_pane(), Qt::Key_Down);  // goes to the next row
         QVERIFY(window_->outline_pane().currentIndex() != before);
         check_linked(state_.selected()->id);
+    }
+
+    void a_click_in_the_diagram_selects_its_ray() {
+        run_command(state_, "tab.diagram");
+        DiagramPane& diagram = window_->diagram_pane();
+        QTRY_VERIFY(diagram.isVisible());
+        QVERIFY(diagram.hasFocus());
+        state_.request(Request::fit_diagram);
+        for (std::size_t ray = state_.tree()->tree.rays.size(); ray-- > 0;) {
+            QTest::mouseClick(&diagram, Qt::LeftButton, {}, diagram.place_of_ray(ray).toPoint());
+            check_linked(ray);
+        }
+        run_command(state_, "tab.outline");
+    }
+
+    void the_diagram_follows_the_selection_and_keys() {
+        run_command(state_, "tab.diagram");
+        DiagramPane& diagram = window_->diagram_pane();
+        for (std::size_t ray = 0; ray < state_.tree()->tree.rays.size(); ++ray) {
+            state_.select(ray);
+            QVERIFY(diagram.rect().contains(diagram.place_of_ray(ray).toPoint()));
+        }
+        state_.select(0);
+        QTest::keyClick(&diagram, Qt::Key_Down);
+        check_linked(1);
+        QTest::keyClick(&diagram, Qt::Key_Right);
+        check_linked(*sibling_of(*state_.tree(), 1, 1));
+        QTest::keyClick(&diagram, Qt::Key_Up);
+        check_linked(0);
+        const double before = diagram.zoom();
+        QTest::keyClick(&diagram, Qt::Key_Plus);
+        QVERIFY(diagram.zoom() > before);
+        run_command(state_, "tab.outline");
+    }
+
+    void tabs_take_no_room_and_follow_the_state() {
+        auto* const tabs = window_->findChild<QTabBar*>();
+        QVERIFY(tabs);
+        const QSize outline = window_->outline_pane().size();
+        tabs->setCurrentIndex(2);
+        QVERIFY(state_.tree_pane().tab == TreePane::Tab::counts);
+        QTRY_VERIFY(window_->counts_pane().isVisible());
+        QCOMPARE(window_->counts_pane().size(), outline);
+        const QString text = window_->counts_pane().toPlainText();
+        QVERIFY(
+            text.contains(QString::number(static_cast<int>(state_.tree()->tree.counts.full_tree))));
+        run_command(state_, "tab.outline");
+        QCOMPARE(tabs->currentIndex(), 0);
+        QVERIFY(window_->outline_pane().isVisible());
     }
 
     void a_broken_file_is_told_in_a_dialog_and_changes_nothing() {

@@ -101,6 +101,11 @@ void State::request(Request request, std::string file) {
     tell({.request = request, .file = std::move(file)});
 }
 
+void State::change_tree_pane(const TreePane& tree_pane) {
+    tree_pane_ = tree_pane;
+    tell({.tree_pane = true});
+}
+
 void State::say(std::string message) {
     message_ = std::move(message);
     tell({.message = true});

@@ -28,6 +28,13 @@ struct Look {
     bool names = true;               ///< whether things in the 3D view bear their names
 };
 
+/// Of the pane that shows the tree in one of three ways.
+struct TreePane {
+    enum class Tab { outline, diagram, counts };
+    Tab tab = Tab::outline;
+    double fold_below = 0;  ///< the share of the pixel below which the diagram folds branches
+};
+
 /// What is asked of the views once; nothing of it stays in the state.
 enum class Request {
     through_camera,
@@ -35,12 +42,15 @@ enum class Request {
     fit_tree,
     fit_ray,
     fit_picture,
-    cheat_sheet,
-    quit,
     export_picture,
     export_window,
     copy_window,
-    copy_view
+    copy_view,
+    fit_diagram,
+    diagram_closer,
+    diagram_further,
+    cheat_sheet,
+    quit
 };
 
 /// What has changed since a view last looked.
@@ -49,6 +59,7 @@ struct Changes {
     bool tree = false;  ///< pixel, tree, and so the selection
     bool selection = false;
     bool look = false;
+    bool tree_pane = false;
     bool message = false;
     std::optional<Request> request = std::nullopt;
     std::string file = {};  ///< of a request to write one
@@ -70,6 +81,7 @@ class State {
     /// There whenever a tree is.
     const TreeRay<double>* selected() const;
     const Look& look() const { return look_; }
+    const TreePane& tree_pane() const { return tree_pane_; }
     const std::string& message() const { return message_; }
 
     /// Shows the scene and the pixel given, or else its most instructive one. The file's notes
@@ -83,6 +95,7 @@ class State {
     void go_back(int by = -1);
     void select(std::size_t ray);
     void change_look(const std::function<void(Look&)>& change);
+    void change_tree_pane(const TreePane& tree_pane);
     void request(Request request, std::string file = {});
     /// Whether the chosen pixel's tree is still to come: then `poll` is to be called now and then.
     bool tracing() const { return tracing_; }
@@ -105,6 +118,7 @@ class State {
     bool tracing_ = false;
     std::unique_ptr<TreeWorker> worker_ = std::make_unique<TreeWorker>();
     Look look_;
+    TreePane tree_pane_;
     std::string message_;
     std::vector<Observer> observers_;
 };

@@ -6,7 +6,9 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStackedWidget>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -14,7 +16,9 @@
 #include "state/details.h"
 #include "window/actions.h"
 #include "window/cheat_sheet.h"
+#include "window/counts_pane.h"
 #include "window/details_pane.h"
+#include "window/diagram_pane.h"
 #include "window/exporter.h"
 #include "window/outline_pane.h"
 #include "window/overlay_legend.h"
@@ -34,8 +38,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
-    outline_ = new OutlinePane(state_);
-    outline_dock_ = add_dock(QStringLiteral("Ray tree"), outline_, Qt::BottomDockWidgetArea);
+    add_tree_dock();
 
     pixel_ = new QLabel;
     counts_ = new QLabel;
@@ -63,6 +66,42 @@ QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::Doc
     dock->setWidget(widget);
     addDockWidget(area, dock);
     return dock;
+}
+
+/// Its tabs are its title, so that they take no room.
+void MainWindow::add_tree_dock() {
+    outline_ = new OutlinePane(state_);
+    diagram_ = new DiagramPane(state_);
+    counts_pane_ = new CountsPane(state_);
+    tree_panes_ = new QStackedWidget;
+    tabs_ = new QTabBar;
+    const std::pair<const char*, QWidget*> panes[] = {
+        {"Ray tree", outline_}, {"Diagram", diagram_}, {"Counts", counts_pane_}};
+    for (const auto& [title, pane] : panes) {
+        tabs_->addTab(QString::fromUtf8(title));
+        tree_panes_->addWidget(pane);
+    }
+    tabs_->setExpanding(false);
+    tabs_->setDrawBase(false);
+    connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
+        if (tab != static_cast<int>(state_.tree_pane().tab)) {
+            state_.change_tree_pane(
+                {static_cast<TreePane::Tab>(tab), state_.tree_pane().fold_below});
+        }
+    });
+    tree_dock_ = add_dock(QStringLiteral("Ray tree"), tree_panes_, Qt::BottomDockWidgetArea);
+    tree_dock_->setTitleBarWidget(tabs_);
+}
+
+void MainWindow::show_tab() {
+    const int tab = static_cast<int>(state_.tree_pane().tab);
+    if (tree_panes_->currentIndex() != tab) {
+        tabs_->setCurrentIndex(tab);
+        tree_panes_->setCurrentIndex(tab);
+        if (!tabs_->hasFocus()) {  // arrow keys go on along the tabs
+            tree_panes_->currentWidget()->setFocus();
+        }
+    }
 }
 
 QWidget* MainWindow::make_picture_box() {
@@ -106,7 +145,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
     resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
-    resizeDocks({outline_dock_}, {below}, Qt::Vertical);
+    resizeDocks({tree_dock_}, {below}, Qt::Vertical);
     resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);
 }
 
@@ -125,6 +164,9 @@ void MainWindow::obey(const Changes& changes) {
     if (changes.tree) {
         show_status();
         state_.tracing() ? tracing_.start() : tracing_.stop();
+    }
+    if (changes.tree_pane) {
+        show_tab();
     }
     if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);

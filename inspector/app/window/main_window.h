@@ -6,16 +6,21 @@
 
 class QDockWidget;
 class QLabel;
+class QStackedWidget;
+class QTabBar;
 
 namespace raytree::inspector {
 
 class Actions;
+class CountsPane;
 class DetailsPane;
+class DiagramPane;
 class OutlinePane;
 class PicturePane;
 class ScenePane;
 
-/// The window: 3D view in the middle, picture and details at the left, outline below.
+/// The window: 3D view in the middle, picture and details at the left, the tree below:
+/// as an outline, a diagram or counts.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -26,6 +31,8 @@ class MainWindow : public QMainWindow {
     ScenePane& scene_pane() const { return *scene_; }
     OutlinePane& outline_pane() const { return *outline_; }
     DetailsPane& details_pane() const { return *details_; }
+    DiagramPane& diagram_pane() const { return *diagram_; }
+    CountsPane& counts_pane() const { return *counts_pane_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -40,6 +47,8 @@ class MainWindow : public QMainWindow {
     QDockWidget* add_dock(const QString& title, QWidget* widget, Qt::DockWidgetArea area);
     QWidget* make_picture_box();
     QWidget* make_centre();
+    void add_tree_dock();
+    void show_tab();
     void obey(const Changes& changes);
     void show_status();
     void show_hovered(std::optional<Pixel> pixel);
@@ -53,7 +62,11 @@ class MainWindow : public QMainWindow {
     ScenePane* scene_ = nullptr;
     OutlinePane* outline_ = nullptr;
     DetailsPane* details_ = nullptr;
-    QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *outline_dock_ = nullptr;
+    DiagramPane* diagram_ = nullptr;
+    CountsPane* counts_pane_ = nullptr;
+    QTabBar* tabs_ = nullptr;
+    QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
+    QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;
     QTimer tracing_;  ///< runs while a tree is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };

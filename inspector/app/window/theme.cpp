@@ -16,6 +16,12 @@ QString style_sheet(const Palette& p) {
 QMainWindow::separator { background: @window; width: 6px; height: 6px; }
 QDockWidget { color: @dim; font-weight: bold; }
 QDockWidget::title { background: @window; padding: 5px 4px 4px 6px; text-align: left; }
+QTabBar { font-weight: bold; }
+QTabBar::tab { background: transparent; color: @dim; padding: 4px 10px 3px 10px;
+               border-bottom: 2px solid transparent; }
+QTabBar::tab:hover { color: @text; }
+QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
+QTabBar::tab:focus { background: @checked; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @rule; padding: 3px 6px;
            spacing: 1px; }
 QToolBar::separator { background: @rule; width: 1px; margin: 5px 6px; }
@@ -43,6 +49,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
         {"@text", p.text},
         {"@dim", p.dim_text},
         {"@rule", p.rule},
+        {"@accent", p.accent},
         {"@hover", mixed(p.window, p.text, 0.06)},
         {"@checked", mixed(p.window, p.accent, 0.2)},
         {"@selected", mixed(p.panel, p.selection, 0.2)},

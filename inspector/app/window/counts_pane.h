@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QTextBrowser>
+
+#include "state/state.h"
+
+namespace raytree::inspector {
+
+/// How many rays there are, which were not sent and why, what that lost, and what the hierarchy
+/// spared.
+class CountsPane : public QTextBrowser {
+  public:
+    explicit CountsPane(State& state, QWidget* parent = nullptr);
+
+  protected:
+    void showEvent(QShowEvent* event) override;
+
+  private:
+    void show_counts();
+
+    State& state_;
+};
+
+}  // namespace raytree::inspector

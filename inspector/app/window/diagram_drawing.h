@@ -1,0 +1,54 @@
+#pragma once
+
+#include <QPainter>
+
+#include "state/diagram.h"
+#include "state/palette.h"
+
+namespace raytree::inspector {
+
+/// The look of a diagram: the lecture's tree in the colours of the theme.
+class DiagramDrawing {
+  public:
+    DiagramDrawing(QPainter& painter, const Diagram& diagram, const Palette& palette,
+                   Quantize quantize);
+
+    /// What lies in `visible`, in the diagram's units, with one spot marked and the way to it.
+    void draw(const QRectF& visible, DiagramSpot chosen);
+
+  private:
+    struct Stroke {
+        Ink ink;
+        double width = 1;
+        Qt::PenStyle style = Qt::SolidLine;
+    };
+    struct Lettering {
+        Ink ink;
+        bool bold = false;
+        bool italic = false;
+    };
+
+    Stroke stroke_of(const DiagramBox& box) const;
+    Ink letters_of(const DiagramBox& box) const;
+    Ink letters(Ink line) const { return mixed(line, palette_.text, 0.35); }
+    void use(const Stroke& stroke, int alpha = 255);
+    void write(const QRectF& line, const QString& text, const Lettering& lettering,
+               Qt::Alignment alignment = Qt::AlignLeft);
+
+    void draw_way(std::size_t box);
+    void draw_edge(const DiagramBox& box, const Stroke& stroke, int alpha = 255);
+    void draw_label(const DiagramBox& box);
+    void draw_box(const DiagramBox& box);
+    void draw_ray(const DiagramBox& box, const QRectF& frame);
+    void draw_words(const DiagramBox& box, const QRectF& frame);
+    void draw_light(const DiagramBox& box, std::size_t row);
+    void mark(DiagramSpot spot);
+
+    QPainter& painter_;
+    const Diagram& diagram_;
+    const Palette& palette_;
+    Quantize quantize_;
+    QFont font_;
+};
+
+}  // namespace raytree::inspector
