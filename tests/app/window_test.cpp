@@ -173,8 +173,10 @@ class WindowTest : public QObject {
         QVERIFY(diagram.hasFocus());
         state_.request(Request::fit_diagram);
         for (std::size_t ray = state_.tree()->tree.rays.size(); ray-- > 0;) {
+            const int frames = window_->scene_pane().frames();
             QTest::mouseClick(&diagram, Qt::LeftButton, {}, diagram.place_of_ray(ray).toPoint());
             check_linked(ray);
+            QTRY_VERIFY(ray == 0 || window_->scene_pane().frames() > frames);
         }
         run_command(state_, "tab.outline");
     }
