@@ -8,6 +8,8 @@
 namespace raytree::check {
 namespace {
 
+constexpr double largest_offset = 2e-3;  // of the distance from which a point is computed
+
 double brightness(const Place& place) {
     double most = largest_component(place.background);
     for (const auto& light : place.lights) {
@@ -154,6 +156,30 @@ void Replay::decide(At at, Field field, const Word& expected, const Word& found,
     taint = report(std::move(finding));
 }
 
+/// Many programs start secondary rays a little off the surface, along its normal or along the ray,
+/// so as not to meet it again. That is a convention: the ray is judged from where it starts.
+bool Replay::set_off(At at, const Step& from, const Vec& direction, Vec& origin) {
+    if (!submission_.gives(at.ray, Field::origin)) {
+        return false;
+    }
+    const Vec found = submission_.tree.rays[at.ray].origin;
+    const Vec off = found - origin;
+    const double size = length(off);
+    const double most = largest_offset * std::max(1.0, reach(from));
+    if (!(size > 1e-9 * reach(from)) || !(size <= most)) {
+        return false;
+    }
+    const auto along_it = [&](const Vec& axis) {
+        return length(off - inner(off, axis) * axis) <= 0.02 * size;
+    };
+    if (!along_it(model::unit(from.normal)) && !along_it(direction)) {
+        return false;
+    }
+    ++compared_;
+    origin = found;
+    return true;
+}
+
 Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     if (full()) {
         Outcome unseen;
@@ -163,8 +189,11 @@ Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     }
     ++rays_;
     const Vec due = step.origin;
-    see(at, Field::origin, step.origin,
-        step.parent ? reach(*step.parent) : std::max(1.0, largest_component(due)), taint);
+    const bool offset = step.parent && set_off(at, *step.parent, step.direction, step.origin);
+    if (!offset) {
+        see(at, Field::origin, step.origin,
+            step.parent ? reach(*step.parent) : std::max(1.0, largest_component(due)), taint);
+    }
     see(at, Field::direction, step.direction, 1, taint);
     step.direction = model::unit(step.direction);
     see(at, Field::weight, step.weight, std::max(darkest_, largest_component(step.weight)), taint);

@@ -84,14 +84,34 @@ Replay::Taint Replay::light(At at, const Step& step, std::size_t light, Terms& t
     return own;
 }
 
+/// Whether the ray goes from this origin to the light, where it starts a little off the surface.
+bool Replay::aims_from(At at, const Vec& origin, const Shine& shine) {
+    if (shine.ready->directional) {
+        return false;
+    }
+    const Vec way = shine.ready->position - origin;
+    const TreeRay<double>& ray = submission_.tree.rays[at.ray];
+    const double allowed = options_.rtol + 8 * submission_.precision.relative;
+    const bool aims = !submission_.gives(at.ray, Field::direction) ||
+                      length(ray.direction - model::unit(way)) <= allowed;
+    const bool reaches =
+        !ray.shadow->distance || abs(*ray.shadow->distance - length(way)) <= allowed * length(way);
+    return aims && reaches;
+}
+
 /// The ray towards the light as the submission has it.
 Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint taint) {
     Vec origin = laws_.start(place_, step, RayKind::shadow);
-    see(at, Field::origin, origin, reach(step), taint);
-    see(at, Field::direction, shine.towards, 1, taint);
-    if (shine.distance < Real<double>::infinity) {
-        see(at, Field::distance, shine.distance, largest_component(step.point) + shine.distance,
-            taint);
+    const bool offset = set_off(at, step, shine.towards, origin);
+    if (!offset) {
+        see(at, Field::origin, origin, reach(step), taint);
+    }
+    if (!offset || !aims_from(at, origin, shine)) {
+        see(at, Field::direction, shine.towards, 1, taint);
+        if (shine.distance < Real<double>::infinity) {
+            see(at, Field::distance, shine.distance, largest_component(step.point) + shine.distance,
+                taint);
+        }
     }
     const Passage passage = laws_.shadow(place_, step, shine);
     const auto code = [](PrimitiveId id) {

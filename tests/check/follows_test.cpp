@@ -92,7 +92,16 @@ TEST_CASE("an export without unit directions, and one with offset origins, are r
     RayTree<double> offset = c.tree;
     for (TreeRay<double>& ray : offset.rays) {
         if (ray.kind == RayKind::shadow) {
-            ray.origin += 1e-6 * ray.direction;
+            ray.origin += 1e-4 * ray.direction;
+            if (ray.shadow->distance) {
+                *ray.shadow->distance -= 1e-4;
+            }
+        }
+        if (ray.kind == RayKind::refracted || ray.kind == RayKind::reflected) {
+            ray.origin += 1e-4 * ray.direction;
+            if (ray.hit) {
+                ray.hit->t -= 1e-4;
+            }
         }
     }
     const check::Report report = check_tree(c.checker, offset);
