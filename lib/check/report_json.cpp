@@ -11,7 +11,11 @@ using Layout = JsonWriter::Layout;
 
 void write_value(JsonWriter& json, std::string_view key, const Value& value) {
     json.key(key);
-    if (!value.word.empty()) {
+    // A product of what a submission gives may be too large for a number.
+    const auto& x = value.numbers.x;
+    if (!isfinite(x[0]) || !isfinite(x[1]) || !isfinite(x[2])) {
+        json.value("too large");
+    } else if (!value.word.empty()) {
         json.value(harmless(value.word));
     } else if (value.numbers.size == 0) {
         json.null();

@@ -15,7 +15,7 @@
 namespace raytree::check {
 
 /// Larger files are refused unread: a tree of 31 rays takes 20 kB.
-inline constexpr std::size_t largest_submission = std::size_t{32} << 20;
+inline constexpr std::size_t largest_submission = std::size_t{16} << 20;
 
 /// How exactly the numbers of a submission were computed and written. A number x is off by up to
 /// `relative * |x| + absolute` for that reason alone.
