@@ -149,6 +149,23 @@ def check_script(folder):
     check("script hides shadow rays", counts[1] < counts[0] / 4, counts)
 
 
+def check_selection_after_tab(folder):
+    """The 3D view shows the selected ray whatever tab the tree is in."""
+    scene = OPTIONS.data / "scenes" / "glass-ball.json"
+    views = []
+    for lines in [["ray.select 5"], ["tab.diagram", "ray.select 5"], ["tab.diagram"]]:
+        file = folder / "selected.png"
+        done = run(scene, "--pixel", "210,286", "--script", script(folder, *lines),
+                   "--screenshot", file, "--size", "1280x800")
+        check("selection after tab", done.returncode == 0, done.stderr)
+        width, height, rows = read_png(file)
+        views.append([p for row in rows[height // 10:height * 55 // 100]
+                      for p in row[width * 35 // 100:]])
+    other = sum(a != b for a, b in zip(views[0], views[1]))
+    unselected = sum(a != b for a, b in zip(views[0], views[2]))
+    check("selection after tab", other < unselected / 4, (other, unselected))
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -156,6 +173,7 @@ def main():
         check_screenshot(folder, "glass-ball", "light", "1280x800")
         check_screenshot(folder, "glass-ball", "dark", "1920x1080")
         check_script(folder)
+        check_selection_after_tab(folder)
     print(f"{len(failures)} failures")
     return 1 if failures else 0
 

@@ -25,8 +25,8 @@ void wait_until_drawn(const State& state, MainWindow& window) {
         QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
     const int frames = window.scene_pane().frames();
-    window.scene_pane().update();
-    for (int k = 0; k < 200 && window.scene_pane().frames() < frames + 1; ++k) {
+    window.scene_pane().draw_again();
+    for (int k = 0; k < 200 && window.scene_pane().frames() == frames; ++k) {
         QApplication::processEvents(QEventLoop::AllEvents, 10);
     }
     QApplication::processEvents();

@@ -36,7 +36,10 @@ class SceneCanvas : public QVTKOpenGLNativeWidget {
 
   protected:
     void paintGL() override {
-        pane_->prepare_frame();
+        // The widget alone may show once more what VTK drew last, so what is new is drawn here.
+        if (pane_->prepare_frame()) {
+            renderWindow()->Render();
+        }
         QVTKOpenGLNativeWidget::paintGL();
     }
 
@@ -146,12 +149,12 @@ void ScenePane::redraw() {
     }
 }
 
-/// Hands over what has changed since the last frame.
-void ScenePane::prepare_frame() {
+bool ScenePane::prepare_frame() {
     ++frames_;
     if (!state_.document()) {
-        return;
+        return false;
     }
+    const bool changed = stale_shapes_ || stale_picture_ || stale_rays_;
     const Palette& palette = palette_of(state_.look().theme);
     if (std::exchange(stale_shapes_, false)) {
         scene3d_.set_shapes(mesh_, state_.look().shapes);
@@ -173,6 +176,7 @@ void ScenePane::prepare_frame() {
                                         : RayMeshes{});
         scene3d_.set_view(view_);
     }
+    return changed;
 }
 
 std::optional<QPointF> ScenePane::place_of(const Point3& p) const {

@@ -29,6 +29,8 @@ class ScenePane : public QWidget {
     const View& view() const { return view_; }
     /// How many frames have been drawn.
     int frames() const { return frames_; }
+    /// Asks for a frame with everything as it is now.
+    void draw_again() { redraw(); }
 
   Q_SIGNALS:
     /// A frame is on the screen.
@@ -48,7 +50,8 @@ class ScenePane : public QWidget {
     void take_picture();
     void change_view(const View& view);
     bool looks_from_the_eye() const;
-    void prepare_frame();
+    /// Hands over what has changed since the last frame; whether anything has.
+    bool prepare_frame();
     void redraw();
     void drag(QPointF by, bool move);
     void click(QPointF at);
