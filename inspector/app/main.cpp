@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <span>
 
 #include "arguments.h"
@@ -12,13 +13,15 @@ namespace {
 
 constexpr int bad_input = 2, no_display = 3;
 
-/// VTK aborts the program where there is no display; it is asked for before VTK is.
-bool display_opens() {
-    Display* const display = XOpenDisplay(nullptr);
-    if (display) {
-        XCloseDisplay(display);
-    }
-    return display != nullptr;
+struct CloseDisplay {
+    void operator()(Display* display) const { XCloseDisplay(display); }
+};
+
+/// VTK aborts the program where there is no display, so it is asked for before VTK is. The
+/// connection is held while the program runs: an X server that loses its last client starts anew,
+/// and for that moment refuses the next.
+std::unique_ptr<Display, CloseDisplay> open_display() {
+    return std::unique_ptr<Display, CloseDisplay>(XOpenDisplay(nullptr));
 }
 
 void open_first(State& state, const Arguments& arguments) {
@@ -50,7 +53,8 @@ int run(int argc, char** argv) {
     }
     State state;
     open_first(state, arguments);
-    if (!display_opens()) {
+    const auto display = open_display();
+    if (!display) {
         std::fputs(
             "raytree-inspector: there is no display to open a window on (DISPLAY); "
             "xvfb-run gives one to programs on machines without\n",
