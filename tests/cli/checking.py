@@ -50,6 +50,22 @@ def without_a_ray(document):
     return document
 
 
+def crowded(document, rays=200_000):
+    """A primary ray with more children than any tree has."""
+    primary = document["rays"][0]
+    children = [{"id": f"c{k}", "parent": primary["id"], "kind": "reflected"} for k in range(rays)]
+    return {**document, "rays": [primary, *children]}
+
+
+def bushy(document, rays=1 << 15):
+    """Every ray with both branches, all of them with numbers that are wrong."""
+    wrong = {"intensity": [3, 1, 4], "direction": [0, 1, 0.5]}
+    kinds = ["refracted", "reflected"]
+    branches = [{"id": k, "parent": (k - 1) // 2, "kind": kinds[k % 2], **wrong}
+                for k in range(1, rays)]
+    return {**document, "rays": [{"id": 0, "kind": "primary", **wrong}, *branches]}
+
+
 def inputs(bench):
     (bench.folder / "class").mkdir()
     bench.write("right.json", json.dumps(tree(bench)))
@@ -58,6 +74,8 @@ def inputs(bench):
     bench.write("dark.json", json.dumps(without_ambient(tree(bench))))
     bench.write("missing.json", json.dumps(without_a_ray(tree(bench))))
     bench.write("cut.json", json.dumps(tree(bench))[:500])
+    bench.write("crowded.json", json.dumps(crowded(tree(bench))))
+    bench.write("bushy.json", json.dumps(bushy(tree(bench))))
     bench.write("class/=cmd|' \"x.json", "{}")
     bench.write("class/<b>&.json", json.dumps(without_ambient(tree(bench))))
     bench.write("class/right.json", json.dumps(tree(bench)))
@@ -72,6 +90,8 @@ CASES = [
     ("a mistake", "dark.json --scene scene.json", 1, r"(?s): fail.*lit\.ambient_missing"),
     ("a missing ray", "missing.json --scene scene.json", 1, r"(?s): fail.*lacks its reflected ray"),
     ("cut off", "cut.json --scene scene.json", 1, r": unreadable"),
+    ("too many rays, within 10 s", "crowded.json --scene scene.json", 1, r": fail"),
+    ("both branches of all, within 10 s", "bushy.json --scene scene.json", 1, r": fail"),
     ("no such file", "none.json --scene scene.json", 1, r"(?s)unreadable.*no such file"),
     ("several", "right.json cut.json --scene scene.json", 1, r"1 of 2 pass"),
     ("a folder", "class --scene scene.json", 1, r"1 of 3 pass"),
