@@ -52,6 +52,7 @@ template <class T> UnitVec3<T> AffineMap<T>::normal_to_world(const UnitVec3<T>& 
 template <class T> Ray<T> AffineMap<T>::ray_to_own_space(const Ray<T>& ray) const {
     const Vec3<T> o = ray.origin - translation_;
     Ray<T> own;
+    own.going = ray.going;
     const T reach = largest_component(o) + largest_component(translation_);
     for (int i = 0; i < 3; ++i) {
         const Vec3<T>& row = inverse_rows_[static_cast<std::size_t>(i)];

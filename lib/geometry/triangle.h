@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/plane.h"
+#include "geometry/ray_frame.h"
 
 namespace raytree {
 
@@ -23,19 +24,13 @@ template <class T> TriangleShape<T> make_triangle(const std::array<Vec3<T>, 3>& 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
 /// both triangles on an edge compute the same edge function up to its sign, so that no ray passes
 /// between them (Woop, Benthin & Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
-template <class T> bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray) {
-    const Vec3<T>& d = ray.direction;
-    int z = abs(d.x) > abs(d.y) ? 0 : 1;
-    z = abs(d.z) > abs(d[z]) ? 2 : z;
-    const int x = (z + 1) % 3;
-    const int y = (z + 2) % 3;
-    const T shear_x = d[x] / d[z];
-    const T shear_y = d[y] / d[z];
+template <class T>
+bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray, const RayFrame<T>& frame) {
     std::array<T, 3> px, py;
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<T> v = triangle.vertices[i] - ray.origin;
-        px[i] = v[x] - shear_x * v[z];
-        py[i] = v[y] - shear_y * v[z];
+        px[i] = frame.x_of(v);
+        py[i] = frame.y_of(v);
     }
     const T e0 = px[2] * py[1] - py[2] * px[1];
     const T e1 = px[0] * py[2] - py[0] * px[2];
@@ -51,9 +46,11 @@ Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start st
     if (start == Start::on_this_shape) {
         return roots;
     }
-    const T t = meet(triangle.plane, ray, start);
-    if (t > 0 && passes_through(triangle, ray)) {
-        roots.add(t);
+    const RayFrame<T> frame(ray.direction);
+    if (passes_through(triangle, ray, frame)) {
+        const auto [nearest, farthest] =
+            passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
+        roots.add(meet(triangle.plane, ray, start, nearest, farthest));
     }
     return roots;
 }

@@ -70,6 +70,7 @@ template <class T, class Recorder> class Tracer {
     Result trace(const Branch& branch, RayHandle parent);
     Result miss(const Branch& branch, RayHandle handle);
     Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit);
+    static Ray<T> onwards(const Node& node, const Vec3<T>& direction, bool outwards);
     void refract(Node& node) const;
     void light(Node& node);
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
@@ -155,6 +156,14 @@ auto Tracer<T, Recorder>::meet(const Branch& branch, RayHandle handle, const Hit
     return {node.end.intensity, node.attenuation};
 }
 
+/// A ray that leaves the hit to the outer or the inner side of its surface.
+template <class T, class Recorder>
+Ray<T> Tracer<T, Recorder>::onwards(const Node& node, const Vec3<T>& direction, bool outwards) {
+    const Vec3<T>& point = node.surface.point;
+    return {point, direction, 4 * Real<T>::unit_roundoff * largest_component(point),
+            outwards ? Going::outwards : Going::inwards};
+}
+
 /// Which media meet here, and whether the ray can pass (model, "Media").
 template <class T, class Recorder> void Tracer<T, Recorder>::refract(Node& node) const {
     const auto index_of = [&](const Media& media) {
@@ -199,8 +208,7 @@ void Tracer<T, Recorder>::shine(Node& node, std::size_t light, const Illuminatio
     shadow.at = &at;
     if (settings_.shadows != ShadowMode::none) {
         ++rays_;
-        const Ray<T> ray{node.surface.point, at.towards,
-                         4 * Real<T>::unit_roundoff * largest_component(node.surface.point)};
+        const Ray<T> ray = onwards(node, at.towards, node.front);
         shadow.transmittance = transmitted(ray, node.hit.primitive, at.distance, shadow.blocker);
     }
     if (!is_zero(shadow.transmittance)) {
@@ -279,11 +287,8 @@ std::optional<Reason> Tracer<T, Recorder>::grow(Node& node, RayKind kind) {
     const Vec3<T>& d = node.branch.start.ray.direction;
     const UnitVec3<T> direction = reflected ? reflected_direction(d, node.normal)
                                             : refracted_direction(node.snell, d, node.normal);
-    Branch next{{kind,
-                 node.branch.start.level + 1,
-                 {node.surface.point, direction.vec(),
-                  4 * Real<T>::unit_roundoff * largest_component(node.surface.point)},
-                 weight},
+    Branch next{{kind, node.branch.start.level + 1,
+                 onwards(node, direction.vec(), node.front == reflected), weight},
                 node.hit.primitive,
                 {},
                 node.branch.path + node.hit.t,

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <random>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -149,5 +151,28 @@ TEST_CASE("triangle: no ray passes between neighbours of a fan, however thin") {
             }
             CHECK(hits >= 1);
         }
+    }
+}
+
+TEST_CASE("polygon: seen from anywhere, a point of a shared edge is in exactly one of two") {
+    // In a slanted plane the two polygons compute their planes, and so t, differently.
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto any = [&] {
+        return Vec3<double>(uniform(random), uniform(random), uniform(random));
+    };
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3<double> a = any(), u = any(), v = any();
+        const Vec3<double> shared[2] = {a, a + u};
+        const std::array<Vec3<double>, 4> above{shared[0], shared[1], a + u + v, a + v};
+        const std::array<Vec3<double>, 4> below{shared[1], shared[0], a - 1.5 * v, a + u - 0.5 * v};
+        const auto one = make_polygon<double>(above, {});
+        const auto other = make_polygon<double>(below, {});
+        const Vec3<double> eye = a + 5.0 * any();
+        const Vec3<double> at = shared[0] + 0.5 * (1 + uniform(random)) * (shared[1] - shared[0]);
+        const Ray<double> ray{eye, UnitVec3<double>::of(at - eye).vec()};
+        CHECK(intersect(one, ray, Start::anywhere).count +
+                  intersect(other, ray, Start::anywhere).count ==
+              1);
     }
 }
