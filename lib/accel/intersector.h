@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "accel/wide_bvh.h"
@@ -36,6 +37,20 @@ template <class T> struct Interval {
     T to = Real<T>::infinity;
 };
 
+/// A ray with what else is asked of it, for answers to many at a time.
+template <class T> struct Query {
+    Ray<T> ray;
+    PrimitiveId leaving = no_primitive;
+    Interval<T> interval;
+};
+
+/// What is known of rays that are handed over together. It decides how they are followed and
+/// never what they meet.
+enum class Together {
+    any_order,  ///< nothing
+    coherent,   ///< sixteen in a row start near each other and go much the same way
+};
+
 /// Answers what a ray meets among all shapes of a scene. The answers depend on the shapes alone,
 /// not on the hierarchy that spares testing them.
 template <class T> class Intersector {
@@ -52,6 +67,15 @@ template <class T> class Intersector {
     /// Whether there is a hit at all.
     template <class Count>
     bool any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval, Count& count) const;
+
+    /// The first hit of each query; its primitive is no_primitive where there is none.
+    /// `hits` is as long as `queries`.
+    void closest(std::span<const Query<T>> queries, std::span<Hit<T>> hits,
+                 Together together) const;
+
+    /// Whether each query has a hit at all: 1 or 0. `met` is as long as `queries`.
+    void any(std::span<const Query<T>> queries, std::span<std::uint8_t> met,
+             Together together) const;
 
     /// Every hit, in the order in which they are met.
     template <class Count> std::vector<Hit<T>> all(const Ray<T>& ray, PrimitiveId leaving,
@@ -123,6 +147,24 @@ bool Intersector<T>::any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> int
         return T(-1);
     });
     return met;
+}
+
+template <class T> void Intersector<T>::closest(std::span<const Query<T>> queries,
+                                                std::span<Hit<T>> hits, Together) const {
+    NoTestCount count;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Query<T>& query = queries[k];
+        hits[k] = closest(query.ray, query.leaving, query.interval, count).value_or(Hit<T>{});
+    }
+}
+
+template <class T> void Intersector<T>::any(std::span<const Query<T>> queries,
+                                            std::span<std::uint8_t> met, Together) const {
+    NoTestCount count;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Query<T>& query = queries[k];
+        met[k] = any(query.ray, query.leaving, query.interval, count) ? 1 : 0;
+    }
 }
 
 template <class T> template <class Count>
