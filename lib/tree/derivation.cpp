@@ -66,7 +66,7 @@ std::vector<Vec3<double>> vertices_of(const Shape& shape, int part) {
 
 void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, double t,
                 Derivation& result) {
-    const Primitive& primitive = world.shapes.shapes()[id];
+    const Primitive primitive = world.shapes.shapes()[id];
     const Object& object = world.scene().objects[primitive.object];
     result.own_space = object.transform.has_value();
     if (object.transform) {
