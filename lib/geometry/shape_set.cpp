@@ -12,14 +12,46 @@ Vec3<double> to_double(const Vec3<float>& v) { return vector_cast<double>(v); }
 Vec3<double> to_double(const Vec3<double>& v) { return v; }
 Vec3<double> to_double(const Vec3<Quad>& v) { return vector_cast<double>(v); }
 
-/// The scene's number in the arithmetic T, which may have too short a range for it.
-template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
-    const Vec3<T> result = vector_cast<T>(v);
-    if (!isfinite(result.x) || !isfinite(result.y) || !isfinite(result.z)) {
-        throw InputError("", "object '" + object + "'",
-                         "a coordinate is too large for this precision");
+[[noreturn]] void refuse(const std::string& object, const std::string& why) {
+    throw InputError("", "object '" + object + "'", why + " for this precision");
+}
+
+/// The scene's length in the arithmetic T, which may have too short a range for it.
+template <class T> T narrow(double length, const std::string& object) {
+    const T result = static_cast<T>(length);
+    if (!(abs(result) <= Real<T>::largest_length)) {
+        refuse(object, "a coordinate or a radius is too large");
     }
     return result;
+}
+
+template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
+    return {narrow<T>(v.x, object), narrow<T>(v.y, object), narrow<T>(v.z, object)};
+}
+
+/// Refuses a shape of which nothing is left but 0 once lengths are multiplied with each other.
+template <class T> void expect_size(T size, const std::string& object) {
+    if (!(size * Real<T>::largest_length >= 1)) {
+        refuse(object, "it is too small");
+    }
+}
+
+template <class T> T extent_of(const std::vector<Vec3<T>>& vertices) {
+    T extent = 0;
+    for (const Vec3<T>& vertex : vertices) {
+        extent = max_of(extent, largest_component<T>(vertex - vertices[0]));
+    }
+    return extent;
+}
+
+/// Powers of a cone's slope meet squares of its lengths in the discriminant.
+template <class T> void expect_in_range(const ConeShape<T>& cone, const std::string& object) {
+    expect_size(cone.height, object);
+    const T steep = 1 + cone.slope * cone.slope;
+    const T extent = largest_component(cone.base) + cone.height + cone.base_radius;
+    if (!isfinite(steep * steep * extent * extent)) {
+        refuse(object, "its sides are too flat or its lengths too large");
+    }
 }
 
 template <class T>
@@ -28,6 +60,20 @@ std::vector<Vec3<T>> narrow_all(const std::vector<Point>& points, const std::str
     result.reserve(points.size());
     for (const Point& p : points) {
         result.push_back(narrow<T>(p, object));
+    }
+    return result;
+}
+
+/// Vectors of which only the direction counts: made unit first, in the arithmetic they are in.
+template <class T> std::vector<Vec3<T>> narrow_directions(const std::vector<Point>& directions,
+                                                          const std::string& object) {
+    std::vector<Vec3<T>> result;
+    for (const Point& v : directions) {
+        const double largest = largest_component(v);
+        const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+        const Point near_one(std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent),
+                             std::ldexp(v.z, -exponent));
+        result.push_back(narrow<T>(near_one, object));
     }
     return result;
 }
@@ -78,7 +124,15 @@ std::string primitive_name(const Scene& scene, const Primitive& primitive) {
 
 template <class T> ShapeSet<T>::ShapeSet(const Scene& scene) {
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        const std::size_t first = size();
         add(scene.objects[k], static_cast<std::uint32_t>(k));
+        for (std::size_t id = first; scene.objects[k].transform && id < size(); ++id) {
+            const Box box = bounds(static_cast<PrimitiveId>(id));
+            if (!(max_of(largest_component(box.min), largest_component(box.max)) <=
+                  static_cast<double>(Real<T>::largest_length))) {
+                refuse(scene.objects[k].name, "its transform takes it too far away");
+            }
+        }
     }
 }
 
@@ -88,30 +142,43 @@ template <class T> void ShapeSet<T>::add(const Object& object, std::uint32_t pla
     if (object.transform) {
         primitive.transform = static_cast<std::int32_t>(transforms_.size());
         transforms_.emplace_back(*object.transform);
+        if (!transforms_.back().in_range()) {
+            refuse(object.name, "its transform has factors too large or too small");
+        }
     }
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         primitive.kind = ShapeKind::sphere;
         primitive.shape = static_cast<std::uint32_t>(spheres_.size());
         spheres_.push_back(
-            {narrow<T>(sphere->center, object.name), static_cast<T>(sphere->radius)});
+            {narrow<T>(sphere->center, object.name), narrow<T>(sphere->radius, object.name)});
+        expect_size(spheres_.back().radius, object.name);
         primitives_.push_back(primitive);
     } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
         primitive.kind = ShapeKind::cone;
         primitive.shape = static_cast<std::uint32_t>(cones_.size());
-        cones_.push_back(
-            make_cone<T>(narrow<T>(cone->base, object.name), static_cast<T>(cone->base_radius),
-                         narrow<T>(cone->apex, object.name), static_cast<T>(cone->apex_radius)));
+        cones_.push_back(make_cone<T>(
+            narrow<T>(cone->base, object.name), narrow<T>(cone->base_radius, object.name),
+            narrow<T>(cone->apex, object.name), narrow<T>(cone->apex_radius, object.name)));
+        expect_size(max_of(static_cast<T>(cone->base_radius), static_cast<T>(cone->apex_radius)),
+                    object.name);
+        expect_in_range(cones_.back(), object.name);
         primitives_.push_back(primitive);
     } else if (const auto* polygon = std::get_if<Polygon>(&object.shape)) {
-        add_polygon(*polygon, primitive);
+        add_polygon(*polygon, primitive, object.name);
     } else {
         add_mesh(std::get<Mesh>(object.shape), primitive);
     }
 }
 
-template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primitive primitive) {
-    const auto vertices = narrow_all<T>(polygon.vertices, "polygon");
-    auto normals = narrow_all<T>(polygon.normals, "polygon");
+template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primitive primitive,
+                                                 const std::string& name) {
+    const auto vertices = narrow_all<T>(polygon.vertices, name);
+    auto normals = narrow_directions<T>(polygon.normals, name);
+    expect_size(extent_of(vertices), name);
+    if (!isfinite(
+            largest_component(supporting_plane(std::span<const Vec3<T>>(vertices)).normal.vec()))) {
+        refuse(name, "it is too narrow");
+    }
     if (vertices.size() == 3) {
         for (Vec3<T>& normal : normals) {
             normal = UnitVec3<T>::of(normal);
@@ -140,7 +207,7 @@ template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primiti
 }
 
 template <class T> void ShapeSet<T>::add_mesh(const Mesh& mesh, Primitive primitive) {
-    std::vector<Vec3<T>> normals = narrow_all<T>(mesh.normals, mesh.file);
+    std::vector<Vec3<T>> normals = narrow_directions<T>(mesh.normals, mesh.file);
     for (Vec3<T>& normal : normals) {
         normal = UnitVec3<T>::of(normal);
     }

@@ -46,7 +46,7 @@ template <class T> class ShapeSet {
 
   private:
     void add(const Object& object, std::uint32_t place);
-    void add_polygon(const Polygon& polygon, Primitive primitive);
+    void add_polygon(const Polygon& polygon, Primitive primitive, const std::string& name);
     void add_mesh(const Mesh& mesh, Primitive primitive);
     void add_triangle(const std::array<Vec3<T>, 3>& vertices, const Vec3<T>* normals,
                       const Primitive& primitive);
