@@ -12,14 +12,46 @@ Vec3<double> to_double(const Vec3<float>& v) { return vector_cast<double>(v); }
 Vec3<double> to_double(const Vec3<double>& v) { return v; }
 Vec3<double> to_double(const Vec3<Quad>& v) { return vector_cast<double>(v); }
 
-/// The scene's number in the arithmetic T, which may have too short a range for it.
-template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
-    const Vec3<T> result = vector_cast<T>(v);
-    if (!isfinite(result.x) || !isfinite(result.y) || !isfinite(result.z)) {
-        throw InputError("", "object '" + object + "'",
-                         "a coordinate is too large for this precision");
+[[noreturn]] void refuse(const std::string& object, const std::string& why) {
+    throw InputError("", "object '" + object + "'", why + " for this precision");
+}
+
+/// The scene's length in the arithmetic T, which may have too short a range for it.
+template <class T> T narrow(double length, const std::string& object) {
+    const T result = static_cast<T>(length);
+    if (!(abs(result) <= Real<T>::largest_length)) {
+        refuse(object, "a coordinate or a radius is too large");
     }
     return result;
+}
+
+template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
+    return {narrow<T>(v.x, object), narrow<T>(v.y, object), narrow<T>(v.z, object)};
+}
+
+/// Refuses a shape of which nothing is left but 0 once lengths are multiplied with each other.
+template <class T> void expect_size(T size, const std::string& object) {
+    if (!(size * Real<T>::largest_length >= 1)) {
+        refuse(object, "it is too small");
+    }
+}
+
+template <class T> T extent_of(const std::vector<Vec3<T>>& vertices) {
+    T extent = 0;
+    for (const Vec3<T>& vertex : vertices) {
+        extent = max_of(extent, largest_component<T>(vertex - vertices[0]));
+    }
+    return extent;
+}
+
+/// Powers of a cone's slope meet squares of its lengths in the discriminant.
+template <class T> void expect_in_range(const ConeShape<T>& cone, const std::string& object) {
+    expect_size(cone.height, object);
+    const T steep = 1 + cone.slope * cone.slope;
+    const T extent = largest_component(cone.base) + cone.height + cone.base_radius;
+    if (!isfinite(steep * steep * extent * extent)) {
+        refuse(object, "its sides are too flat or its lengths too large");
+    }
 }
 
 template <class T>
@@ -28,6 +60,24 @@ std::vector<Vec3<T>> narrow_all(const std::vector<Point>& points, const std::str
     result.reserve(points.size());
     for (const Point& p : points) {
         result.push_back(narrow<T>(p, object));
+    }
+    return result;
+}
+
+/// A vector of which only the direction counts, with lengths near 1, so that any arithmetic has the
+/// range for it.
+template <class T> Vec3<T> near_one(const Point& v) {
+    const double largest = largest_component(v);
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    return vector_cast<T>(
+        Point(std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)));
+}
+
+template <class T> std::vector<Vec3<T>> narrow_directions(const std::vector<Point>& directions) {
+    std::vector<Vec3<T>> result;
+    result.reserve(directions.size());
+    for (const Point& v : directions) {
+        result.push_back(near_one<T>(v));
     }
     return result;
 }
@@ -78,7 +128,15 @@ std::string primitive_name(const Scene& scene, const Primitive& primitive) {
 
 template <class T> ShapeSet<T>::ShapeSet(const Scene& scene) {
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        const std::size_t first = size();
         add(scene.objects[k], static_cast<std::uint32_t>(k));
+        for (std::size_t id = first; scene.objects[k].transform && id < size(); ++id) {
+            const Box box = bounds(static_cast<PrimitiveId>(id));
+            if (!(max_of(largest_component(box.min), largest_component(box.max)) <=
+                  static_cast<double>(Real<T>::largest_length))) {
+                refuse(scene.objects[k].name, "its transform takes it too far away");
+            }
+        }
     }
 }
 
@@ -88,21 +146,28 @@ template <class T> void ShapeSet<T>::add(const Object& object, std::uint32_t pla
     if (object.transform) {
         part.transform = static_cast<std::int32_t>(transforms_.size());
         transforms_.emplace_back(*object.transform);
+        if (!transforms_.back().in_range()) {
+            refuse(object.name, "its transform has factors too large or too small");
+        }
     }
     std::size_t count = 1;
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         part.kind = ShapeKind::sphere;
         part.shape = static_cast<std::uint32_t>(spheres_.size());
         spheres_.push_back(
-            {narrow<T>(sphere->center, object.name), static_cast<T>(sphere->radius)});
+            {narrow<T>(sphere->center, object.name), narrow<T>(sphere->radius, object.name)});
+        expect_size(spheres_.back().radius, object.name);
     } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
         part.kind = ShapeKind::cone;
         part.shape = static_cast<std::uint32_t>(cones_.size());
-        cones_.push_back(
-            make_cone<T>(narrow<T>(cone->base, object.name), static_cast<T>(cone->base_radius),
-                         narrow<T>(cone->apex, object.name), static_cast<T>(cone->apex_radius)));
+        cones_.push_back(make_cone<T>(
+            narrow<T>(cone->base, object.name), narrow<T>(cone->base_radius, object.name),
+            narrow<T>(cone->apex, object.name), narrow<T>(cone->apex_radius, object.name)));
+        expect_size(max_of(static_cast<T>(cone->base_radius), static_cast<T>(cone->apex_radius)),
+                    object.name);
+        expect_in_range(cones_.back(), object.name);
     } else if (const auto* polygon = std::get_if<Polygon>(&object.shape)) {
-        add_polygon(*polygon, part);
+        add_polygon(*polygon, object.name, part);
     } else {
         const Mesh& mesh = std::get<Mesh>(object.shape);
         add_mesh(mesh, part);
@@ -112,9 +177,15 @@ template <class T> void ShapeSet<T>::add(const Object& object, std::uint32_t pla
     object_of_.resize(size() + count, place);
 }
 
-template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Part& part) {
-    const auto vertices = narrow_all<T>(polygon.vertices, "polygon");
-    const auto normals = narrow_all<T>(polygon.normals, "polygon");
+template <class T>
+void ShapeSet<T>::add_polygon(const Polygon& polygon, const std::string& name, Part& part) {
+    const auto vertices = narrow_all<T>(polygon.vertices, name);
+    const auto normals = narrow_directions<T>(polygon.normals);
+    expect_size(extent_of(vertices), name);
+    if (!isfinite(
+            largest_component(supporting_plane(std::span<const Vec3<T>>(vertices)).normal.vec()))) {
+        refuse(name, "it is too narrow");
+    }
     if (vertices.size() == 3) {
         part.kind = ShapeKind::triangle;
         part.shape = static_cast<std::uint32_t>(triangles_.size());
@@ -148,9 +219,6 @@ template <class T> void ShapeSet<T>::add_mesh(const Mesh& mesh, Part& part) {
     for (const Point& vertex : mesh.vertices) {
         narrow<T>(vertex, mesh.file);
     }
-    for (const Point& normal : mesh.normals) {
-        narrow<T>(normal, mesh.file);
-    }
     part.kind = ShapeKind::triangle;
     part.shape = 0;
     part.mesh = &mesh;
@@ -173,7 +241,7 @@ bool ShapeSet<T>::normals_of(const Primitive& triangle, VertexNormals<T>& normal
             return false;
         }
         normals[k] = UnitVec3<T>::of(
-            vector_cast<T>(mesh->normals[static_cast<std::size_t>(corners[k].normal)]));
+            near_one<T>(mesh->normals[static_cast<std::size_t>(corners[k].normal)]));
     }
     return true;
 }

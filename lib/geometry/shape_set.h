@@ -72,7 +72,7 @@ template <class T> class ShapeSet {
     };
 
     void add(const Object& object, std::uint32_t place);
-    void add_polygon(const Polygon& polygon, Part& part);
+    void add_polygon(const Polygon& polygon, const std::string& name, Part& part);
     void add_mesh(const Mesh& mesh, Part& part);
     TriangleShape<T> mesh_triangle(const Mesh& mesh, std::uint32_t place) const;
     /// Whether there are any; then they are in `normals`.

@@ -20,7 +20,8 @@ template <class T> Plane<T> supporting_plane(const TriangleShape<T>& triangle) {
 
 /// Where the ray meets the triangle's plane, as `meet` of a plane says, without what would only be
 /// a detour to one number: the normal is left as long as it is, and the point is a vertex.
-template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start) {
+template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start,
+                                T nearest, T farthest) {
     const auto& [a, b, c] = triangle.vertices;
     const Vec3<T> normal = outer<T>(b - a, c - a);
     const T distance = inner<T>(normal, a - ray.origin);
@@ -33,7 +34,7 @@ template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& 
         }
     }
     const T speed = inner(normal, ray.direction);
-    return speed == 0 ? T(0) : distance / speed;
+    return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
@@ -65,8 +66,7 @@ Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start st
     if (passes_through(triangle, ray, frame)) {
         const auto [nearest, farthest] =
             passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
-        const T t = meet_plane(triangle, ray, start);
-        roots.add(t == 0 ? t : min_of(max_of(t, nearest), farthest));
+        roots.add(meet_plane(triangle, ray, start, nearest, farthest));
     }
     return roots;
 }

@@ -199,6 +199,6 @@ COMMANDS = [
     ("render of what overflows", "render overflow.json -o p.png",
      2, NONE, r"pixel \d,\d: .*beyond the largest number"),
     ("overflow in float alone", "trace huge.pfm.json --pixel 1,1 --precision float",
-     2, NONE, r"beyond the largest number"),
+     2, NONE, r"too large or too small for this precision"),
     ("the same in double", "trace huge.pfm.json --pixel 1,1", 0, r"1e\+?60", NONE),
 ]
