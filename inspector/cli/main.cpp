@@ -35,7 +35,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     const std::array commands = {trace_command(program), render_command(program),
                                  info_command(program), check_command(program),
-                                 convert_command(program), lesson_command(program)};
+                                 convert_command(program), lesson_command(program), study_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {

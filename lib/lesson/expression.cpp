@@ -257,8 +257,11 @@ class Evaluation {
     const Scope& scope_;
 };
 
+/// `at(3, 4).primary` refers to something as `primary` does; `sqrt(2)` does not.
 bool looks_up(const Node& node) {
-    return node.kind == Kind::name || std::ranges::any_of(node.parts, looks_up);
+    return node.kind == Kind::name ||
+           (node.kind == Kind::call && !is_function_of_numbers(node.text)) ||
+           std::ranges::any_of(node.parts, looks_up);
 }
 
 }  // namespace

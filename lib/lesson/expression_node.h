@@ -24,5 +24,6 @@ Expression::Node parse_expression(std::string_view text);
 /// The value of a function of numbers alone (sqrt, angle, dot, ...); nothing for another name.
 std::optional<Json> call_function(std::string_view name, std::span<const Value> arguments);
 std::vector<std::string> function_names();
+bool is_function_of_numbers(std::string_view name);
 
 }  // namespace raytree::lesson

@@ -19,9 +19,9 @@ COMMANDS = [
     ("help of convert", "convert --help",
      0, r"(?s)^Examples:\n  raytree convert .*Usage: .*OUT", NONE),
 
-    ("no subcommand", "", 2, NONE, r"say what to do: trace, render, info, check or convert"),
+    ("no subcommand", "", 2, NONE, r"say what to do: trace, render, info, check, convert, lesson or study"),
     ("misspelt subcommand", "trase scene.json", 2, NONE, r'"trase"; did you mean "trace"\?'),
-    ("unknown subcommand", "dance", 2, NONE, r'no subcommand "dance"; there are trace, .*convert'),
+    ("unknown subcommand", "dance", 2, NONE, r'no subcommand "dance"; there are trace, .*study'),
     ("misspelt option", "trace scene.json --pixl 1,2",
      2, NONE, r'--pixl; did you mean "--pixel"\?'),
     ("unknown option", "trace scene.json -q --pixel 1,2", 2, NONE, r"there is no option -q "),
