@@ -35,6 +35,7 @@ void State::pick(Pixel pixel, Pick how) {
         history_.add(pixel, how);
     }
     choose(pixel);
+    answer_by_pixel();
 }
 
 void State::go_back(int by) {
@@ -89,6 +90,7 @@ void State::select(std::size_t ray) {
     if (tree_ && ray < tree_->tree.rays.size() && ray != selected_) {
         selected_ = ray;
         tell({.selection = true});
+        answer_by_ray();
     }
 }
 

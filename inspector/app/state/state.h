@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "state/document.h"
+#include "state/explained.h"
 #include "state/history.h"
+#include "state/lesson_run.h"
 #include "state/palette.h"
 #include "state/tree_worker.h"
 #include "trace/render.h"
@@ -30,10 +32,13 @@ struct Look {
 
 /// Of the pane that shows the tree in one of three ways.
 struct TreePane {
-    enum class Tab { outline, diagram, counts };
+    enum class Tab { outline, diagram, counts, explained };
     Tab tab = Tab::outline;
     double fold_below = 0;  ///< the share of the pixel below which the diagram folds branches
 };
+
+/// What stands in the place for lessons.
+enum class LessonSide { hidden, contents, lesson };
 
 /// What is asked of the views once; nothing of it stays in the state.
 enum class Request {
@@ -61,6 +66,10 @@ struct Changes {
     bool look = false;
     bool tree_pane = false;
     bool message = false;
+    bool lesson = false;     ///< the lesson, its step, or what has been answered
+    bool explained = false;  ///< what is shown besides the rays
+    /// From where the 3D view is to look at things.
+    std::optional<lesson::FreeView> view_from = std::nullopt;
     std::optional<Request> request = std::nullopt;
     std::string file = {};  ///< of a request to write one
 };
@@ -104,7 +113,36 @@ class State {
     /// One line for people; empty to clear it.
     void say(std::string message);
 
+    // Lessons (state_lesson.cpp).
+    /// Null unless a lesson is open.
+    const LessonRun* lesson() const { return lesson_.get(); }
+    LessonSide lesson_side() const { return lesson_side_; }
+    /// Where lessons are looked for; empty: where the program has its own.
+    const std::filesystem::path& lesson_folder() const { return lesson_folder_; }
+    void set_lesson_folder(std::filesystem::path folder) { lesson_folder_ = std::move(folder); }
+    void show_lessons(LessonSide pane);
+    void open_lesson(std::shared_ptr<const lesson::Lesson> lesson, std::size_t step = 0);
+    void close_lesson();
+    /// Steps from 0; does nothing for one that there is none of.
+    void go_to_lesson_step(std::size_t step);
+    /// Everything as the step shows it.
+    void show_lesson_view();
+    /// Throws InputError for an answer that cannot be judged.
+    void give_answer(const Json& answer);
+    void tell_answer();
+    void ask_again();
+    /// Shows the scene with the value that the question is about.
+    void try_value(double value);
+
+    const Explained& explained() const { return explained_; }
+    void explain(const std::function<void(Explained&)>& change);
+
   private:
+    void stage(const lesson::Show& show);
+    void take_view(const lesson::View& view);
+    void exchange(std::shared_ptr<const Document> document);
+    void answer_by_pixel();
+    void answer_by_ray();
     void choose(Pixel pixel);
     void trace();
     bool take_tree(std::chrono::milliseconds patience);
@@ -120,6 +158,11 @@ class State {
     Look look_;
     TreePane tree_pane_;
     std::string message_;
+    std::unique_ptr<LessonRun> lesson_;
+    LessonSide lesson_side_ = LessonSide::hidden;
+    std::filesystem::path lesson_folder_;
+    bool staging_ = false;  ///< the views are being set as a step wants them
+    Explained explained_;
     std::vector<Observer> observers_;
 };
 

@@ -20,8 +20,10 @@
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/exporter.h"
+#include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/overlay_legend.h"
+#include "window/panel_frame.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
@@ -34,11 +36,13 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     setAcceptDrops(true);
     setDockOptions(QMainWindow::AnimatedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(make_centre());
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
+    add_lesson_dock();
 
     pixel_ = new QLabel;
     counts_ = new QLabel;
@@ -93,6 +97,33 @@ void MainWindow::add_tree_dock() {
     tree_dock_->setTitleBarWidget(tabs_);
 }
 
+void MainWindow::add_lesson_dock() {
+    lesson_pane_ =
+        new LessonPane(state_, [this](const std::string& command, const std::string& argument) {
+            actions_->run(*find_command(command), argument);
+        });
+    lesson_dock_ = add_dock(QStringLiteral("Lesson"), lesson_pane_, Qt::RightDockWidgetArea);
+    lesson_dock_->setTitleBarWidget(new QWidget);  // the pane says itself what it is
+    lesson_dock_->hide();
+    frame_ = new PanelFrame(this);
+}
+
+/// The lesson's pane, and a frame around the one that its step talks about.
+void MainWindow::show_lesson() {
+    const bool shown = state_.lesson_side() != LessonSide::hidden;
+    if (lesson_dock_->isVisibleTo(this) != shown) {
+        lesson_dock_->setVisible(shown);
+        share_room();
+    }
+    QWidget* const panes[] = {picture_, scene_, tree_dock_, tree_dock_, tree_dock_, details_};
+    const LessonRun* const lesson = state_.lesson();
+    const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
+                           ? lesson->here().show.panel
+                           : std::nullopt;
+    frame_->put_around(panel ? panes[static_cast<std::size_t>(*panel)] : nullptr,
+                       palette_of(state_.look().theme).accent);
+}
+
 void MainWindow::show_tab() {
     const int tab = static_cast<int>(state_.tree_pane().tab);
     if (tree_panes_->currentIndex() != tab) {
@@ -138,10 +169,20 @@ QWidget* MainWindow::make_centre() {
     return box;
 }
 
-/// The docks keep their shares of the window.
+/// The docks keep their shares of the window; a lesson's text has lines that are easy to read.
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    const int left = std::clamp(static_cast<int>(width() * 0.31), 330, 620);
+    share_room();
+}
+
+void MainWindow::share_room() {
+    const bool teaches = lesson_dock_->isVisibleTo(this);
+    const int left = teaches ? std::clamp(static_cast<int>(width() * 0.26), 300, 560)
+                             : std::clamp(static_cast<int>(width() * 0.31), 330, 620);
+    if (teaches) {
+        resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},
+                    Qt::Horizontal);
+    }
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
     resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
@@ -167,6 +208,9 @@ void MainWindow::obey(const Changes& changes) {
     }
     if (changes.tree_pane) {
         show_tab();
+    }
+    if (changes.lesson || changes.look) {
+        show_lesson();
     }
     if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);

@@ -81,6 +81,13 @@ void ScenePane::obey(const Changes& changes) {
     if (changes.request) {
         obey(*changes.request);
     }
+    if (changes.view_from) {
+        View view = view_;
+        view.eye = changes.view_from->eye;
+        view.target = changes.view_from->target;
+        view.up = changes.view_from->up;
+        change_view(view);
+    }
     if (changes.document || changes.tree || changes.selection || changes.look) {
         redraw();
     }

@@ -41,6 +41,23 @@ QTreeView::item { padding: 1px 4px 1px 2px; }
 QHeaderView::section { background: @window; color: @dim; border: none;
                        border-bottom: 1px solid @rule; padding: 4px 6px; font-weight: bold; }
 QLabel#aside { color: @dim; }
+QWidget#lesson, QWidget#lesson > QWidget > QWidget#lesson { background: @panel; }
+QLabel#step { font-size: large; }
+QFrame#question { background: @asking; border: 1px solid @rule; border-radius: 6px; }
+QFrame#question QLabel { background: transparent; border: none; }
+QPushButton { color: @text; background: @panel; border: 1px solid @rule; border-radius: 4px;
+              padding: 4px 11px; }
+QPushButton:hover { background: @hover; }
+QPushButton:pressed { background: @checked; }
+QPushButton:focus { border-color: @accent; }
+QPushButton:disabled { color: @faint; }
+QPushButton#onwards { background: @accent; color: @panel; border-color: @accent;
+                      font-weight: bold; }
+QPushButton#quiet { background: transparent; border-color: transparent; color: @accent;
+                    padding: 4px 6px; }
+QPushButton#quiet:hover, QPushButton#quiet:focus { border-color: @rule; }
+QPushButton#choice { padding: 0; text-align: left; }
+
 QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3px; }
 )");
     const std::pair<const char*, Ink> names[] = {
@@ -53,6 +70,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
         {"@hover", mixed(p.window, p.text, 0.06)},
         {"@checked", mixed(p.window, p.accent, 0.2)},
         {"@selected", mixed(p.panel, p.selection, 0.2)},
+        {"@asking", mixed(p.panel, p.accent, 0.07)},
         {"@faint", mixed(p.window, p.dim_text, 0.5)},
     };
     for (const auto& [name, ink] : names) {
