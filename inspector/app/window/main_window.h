@@ -13,6 +13,7 @@ namespace raytree::inspector {
 
 class Actions;
 class CountsPane;
+class FilterPane;
 class DetailsPane;
 class DiagramPane;
 class OutlinePane;
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
     DetailsPane& details_pane() const { return *details_; }
     DiagramPane& diagram_pane() const { return *diagram_; }
     CountsPane& counts_pane() const { return *counts_pane_; }
+    FilterPane& filter_pane() const { return *filter_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -64,6 +66,7 @@ class MainWindow : public QMainWindow {
     DetailsPane* details_ = nullptr;
     DiagramPane* diagram_ = nullptr;
     CountsPane* counts_pane_ = nullptr;
+    FilterPane* filter_ = nullptr;
     QTabBar* tabs_ = nullptr;
     QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;
