@@ -152,6 +152,12 @@ template <class T> std::string write_tree_json(const RayTree<T>& tree, const Sce
     return json.take();
 }
 
+std::string write_ray_json(const TreeRay<double>& ray) {
+    JsonWriter json;
+    write_ray(json, ray);
+    return json.take();
+}
+
 template std::string write_tree_json(const RayTree<float>&, const Scene*);
 template std::string write_tree_json(const RayTree<double>&, const Scene*);
 template std::string write_tree_json(const RayTree<Quad>&, const Scene*);

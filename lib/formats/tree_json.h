@@ -21,6 +21,9 @@ extern template std::string write_tree_json(const RayTree<float>&, const Scene*)
 extern template std::string write_tree_json(const RayTree<double>&, const Scene*);
 extern template std::string write_tree_json(const RayTree<Quad>&, const Scene*);
 
+/// One ray as it stands in a raytree/1.0 document, with a line feed at its end.
+std::string write_ray_json(const TreeRay<double>& ray);
+
 /// A ray tree as a file gave it, which may be from someone else's tracer.
 struct ReadTree {
     /// Depth first and numbered anew, directions made unit. What the file leaves out has its

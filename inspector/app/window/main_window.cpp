@@ -20,6 +20,7 @@
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/exporter.h"
+#include "window/filter_pane.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/overlay_legend.h"
@@ -76,11 +77,14 @@ QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::Doc
 void MainWindow::add_tree_dock() {
     outline_ = new OutlinePane(state_);
     diagram_ = new DiagramPane(state_);
+    filter_ = new FilterPane(state_);
     counts_pane_ = new CountsPane(state_);
     tree_panes_ = new QStackedWidget;
     tabs_ = new QTabBar;
-    const std::pair<const char*, QWidget*> panes[] = {
-        {"Ray tree", outline_}, {"Diagram", diagram_}, {"Counts", counts_pane_}};
+    const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
+                                                      {"Diagram", diagram_},
+                                                      {"Counts", counts_pane_},
+                                                      {"Rays shown", filter_}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));
         tree_panes_->addWidget(pane);
@@ -89,8 +93,9 @@ void MainWindow::add_tree_dock() {
     tabs_->setDrawBase(false);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
         if (tab != static_cast<int>(state_.tree_pane().tab)) {
-            state_.change_tree_pane(
-                {static_cast<TreePane::Tab>(tab), state_.tree_pane().fold_below});
+            TreePane pane = state_.tree_pane();
+            pane.tab = static_cast<TreePane::Tab>(tab);
+            state_.change_tree_pane(pane);
         }
     });
     tree_dock_ = add_dock(QStringLiteral("Ray tree"), tree_panes_, Qt::BottomDockWidgetArea);
@@ -211,6 +216,13 @@ void MainWindow::obey(const Changes& changes) {
     }
     if (changes.lesson || changes.look) {
         show_lesson();
+    }
+    if (changes.selection) {
+        const auto& thing = state_.thing();
+        details_dock_->setWindowTitle(!thing ? QStringLiteral("Selected ray")
+                                      : thing->kind == Thing::Kind::object
+                                          ? QStringLiteral("Selected object")
+                                          : QStringLiteral("Selected light"));
     }
     if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);

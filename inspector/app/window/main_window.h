@@ -13,6 +13,7 @@ namespace raytree::inspector {
 
 class Actions;
 class CountsPane;
+class FilterPane;
 class DetailsPane;
 class DiagramPane;
 class LessonPane;
@@ -36,6 +37,7 @@ class MainWindow : public QMainWindow {
     DiagramPane& diagram_pane() const { return *diagram_; }
     CountsPane& counts_pane() const { return *counts_pane_; }
     LessonPane& lesson_pane() const { return *lesson_pane_; }
+    FilterPane& filter_pane() const { return *filter_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
     CountsPane* counts_pane_ = nullptr;
     LessonPane* lesson_pane_ = nullptr;
     PanelFrame* frame_ = nullptr;
+    FilterPane* filter_ = nullptr;
     QTabBar* tabs_ = nullptr;
     QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;

@@ -1,13 +1,53 @@
 #include "window/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
 namespace {
+
+/// Fusion's boxes to tick are framed in a shade of the window's colour, invisible on a dark one.
+class Style : public QProxyStyle {
+  public:
+    explicit Style(const Palette& palette)
+        : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))), palette_(palette) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_IndicatorItemViewItemCheck && element != PE_IndicatorCheckBox) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        const QRectF box = QRectF(option->rect).adjusted(1.5, 1.5, -1.5, -1.5);
+        const bool enabled = option->state & State_Enabled;
+        const QColor ink = qt(enabled ? palette_.text : palette_.dim_text);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(qt(palette_.dim_text), 1.2));
+        painter->setBrush(qt(palette_.panel));
+        painter->drawRoundedRect(box, 2, 2);
+        if (option->state & State_On) {
+            painter->setPen(QPen(ink, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter->drawPolyline(
+                QPolygonF({box.topLeft() + QPointF(0.22 * box.width(), 0.52 * box.height()),
+                           box.topLeft() + QPointF(0.42 * box.width(), 0.74 * box.height()),
+                           box.topLeft() + QPointF(0.8 * box.width(), 0.26 * box.height())}));
+        } else if (option->state & State_NoChange) {
+            painter->fillRect(QRectF(box.left() + 2.5, box.center().y() - 1, box.width() - 5, 2),
+                              ink);
+        }
+        painter->restore();
+    }
+
+  private:
+    const Palette& palette_;
+};
 
 QString css(Ink ink) { return qt(ink).name(); }
 
@@ -82,7 +122,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
 }  // namespace
 
 void apply_theme(const Palette& p) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new Style(p));
     QPalette colours;
     colours.setColor(QPalette::Window, qt(p.window));
     colours.setColor(QPalette::WindowText, qt(p.text));
