@@ -131,6 +131,21 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
                                                : all;
 }
 
+/// The triangle at a lane of a leaf, met in double. Flattened, so that its fused multiply-adds are
+/// instructions where there are such.
+[[gnu::flatten]] inline Roots<double> meet_triangle(const Searched& searched, Ref leaf,
+                                                    std::size_t lane, PrimitiveId id,
+                                                    const Query<double>& query) {
+    return intersect(searched.filter.triangle_of(leaf, lane), query.ray,
+                     start_on(id, query.leaving));
+}
+
+[[gnu::flatten]] inline Roots<double> meet_sphere(const Searched& searched, PrimitiveId id,
+                                                  const Query<double>& query) {
+    return intersect(searched.shapes.sphere(searched.shapes[id]), query.ray,
+                     start_on(id, query.leaving));
+}
+
 /// Meets the shapes of a leaf; true where nothing more is to be looked for.
 template <bool any_will_do>
 inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
@@ -139,9 +154,8 @@ inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
         const PrimitiveId id = searched.bvh.items()[leaf.first() + lane];
         const Roots<double> roots =
-            leaf.kind() == LeafFilter::triangle
-                ? intersect(searched.filter.triangle_of(leaf, lane), query.ray,
-                            start_on(id, query.leaving))
+            leaf.kind() == LeafFilter::triangle ? meet_triangle(searched, leaf, lane, id, query)
+            : leaf.kind() == LeafFilter::sphere ? meet_sphere(searched, id, query)
                 : searched.shapes.intersect(id, query.ray, query.leaving);
         for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
             const Hit<double> hit{roots.t[k], id};
@@ -172,33 +186,74 @@ struct Waiting {
     void push_children(const WideBvh::Node& node, const Traveller& ray) {
         F8 entered;
         const unsigned met = enter_children(node, ray, entered);
+        append_children(node, ray, entered, met);
+    }
+    void append_children(const WideBvh::Node& node, const Traveller& ray, const F8& entered,
+                         unsigned met) {
         top += append(entered, reinterpret_cast<const std::uint32_t*>(node.child.data()), met,
                       node.order.data(), ray.order_shift, &near[top], &ref[top]);
     }
 };
 
-/// One ray, from a node or leaf on, to its end.
-template <bool any_will_do, bool counted>
-inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting,
-                   std::size_t* tests) {
-    while (waiting.top > 0) {
-        --waiting.top;
-        if (waiting.near[waiting.top] > ray.limit) {
-            continue;
-        }
-        const Ref next = Ref::of(waiting.ref[waiting.top]);
-        if (!next.is_leaf()) {
-            waiting.push_children(searched.bvh.nodes()[next.node()], ray);
-            continue;
-        }
-        if constexpr (counted) {
-            *tests += next.count();
-        }
-        if (meet_leaf<any_will_do>(searched, next, ray)) {
-            return true;
-        }
+/// The node or leaf to go on with among the children of a node, the others left waiting; false
+/// where there is none. What most often happens, one child or two, has branches of its own, which
+/// the processor guesses and so goes on before it knows.
+inline bool choose_child(const WideBvh::Node& node, const Traveller& ray, Waiting& waiting,
+                         Ref& next) {
+    F8 entered;
+    unsigned met = enter_children(node, ray, entered);
+    if (met == 0) {
+        return false;
     }
-    return ray.best.primitive != no_primitive;
+    const auto first = static_cast<std::size_t>(std::countr_zero(met));
+    next = node.child[first];
+    if ((met & (met - 1)) == 0) {
+        return true;
+    }
+    std::array<float, 8> near;
+    entered.store(near.data());
+    const unsigned others = met & (met - 1);
+    const auto second = static_cast<std::size_t>(std::countr_zero(others));
+    if ((others & (others - 1)) == 0) {
+        if (near[second] < near[first]) {
+            waiting.push(near[first], next);
+            next = node.child[second];
+        } else {
+            waiting.push(near[second], node.child[second]);
+        }
+        return true;
+    }
+    waiting.append_children(node, ray, entered, met);
+    next = Ref::of(waiting.ref[--waiting.top]);
+    return true;
+}
+
+/// One ray, from a node or leaf on, to its end. True where it has met what is looked for.
+template <bool any_will_do, bool counted>
+inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting, Ref next,
+                   std::size_t* tests) {
+    const WideBvh::Node* const nodes = searched.bvh.nodes().data();
+    for (;;) {
+        bool here = true;
+        while (!next.is_leaf() && here) {
+            here = choose_child(nodes[next.node()], ray, waiting, next);
+        }
+        if (here) {
+            if constexpr (counted) {
+                *tests += next.count();
+            }
+            if (meet_leaf<any_will_do>(searched, next, ray)) {
+                return true;
+            }
+        }
+        do {
+            if (waiting.top == 0) {
+                return ray.best.primitive != no_primitive;
+            }
+            --waiting.top;
+        } while (waiting.near[waiting.top] > ray.limit);
+        next = Ref::of(waiting.ref[waiting.top]);
+    }
 }
 
 template <bool any_will_do>
@@ -206,11 +261,10 @@ Traveller follow_one(const Searched& searched, const Query<double>& query, std::
     Traveller ray;
     set_out(searched, query, ray);
     Waiting waiting;
-    waiting.push(0, Ref::to_node(0));
     if (tests) {
-        travel<any_will_do, true>(searched, ray, waiting, tests);
+        travel<any_will_do, true>(searched, ray, waiting, Ref::to_node(0), tests);
     } else {
-        travel<any_will_do, false>(searched, ray, waiting, nullptr);
+        travel<any_will_do, false>(searched, ray, waiting, Ref::to_node(0), nullptr);
     }
     return ray;
 }
@@ -266,7 +320,7 @@ template <bool any_will_do, class Answers> class Flight {
     }
 
   private:
-    static constexpr std::uint32_t seats = 8;
+    static constexpr std::uint32_t seats = 16;
 
     struct Seat {
         Traveller ray;
@@ -490,8 +544,8 @@ template <bool any_will_do> class Packet {
         for (; here != 0; here &= here - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(here));
             alone_.top = 0;
-            alone_.push(0, next);
-            const bool met = travel<any_will_do, false>(searched_, rays_[k], alone_, nullptr);
+            const bool met =
+                travel<any_will_do, false>(searched_, rays_[k], alone_, next, nullptr);
             finish(k, any_will_do && met);
         }
     }
