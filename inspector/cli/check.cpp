@@ -30,6 +30,7 @@ struct Arguments {
     CheckRun run;
     SceneArguments scene;
     std::string reference;
+    std::vector<std::string> other_scenes;
     bool merge = false;
 };
 
@@ -70,6 +71,12 @@ int check(Arguments& arguments) {
         check::profile_named(*run.options.profile);
     }
     load_scene_to_judge_by(arguments);
+    for (const std::string& file : arguments.other_scenes) {
+        run.other_scenes.push_back(raytree::load_scene(file).scene);
+    }
+    for (std::size_t k = 0; k < run.other_scenes.size(); ++k) {
+        run.options.suggested_scenes.push_back({arguments.other_scenes[k], &run.other_scenes[k]});
+    }
     return check_submissions(run);
 }
 
@@ -100,6 +107,14 @@ void add_judging(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
     add_value(app, "--profile", "NAME",
               "the course's conventions (default: those that fit\nbest): lecture, ucla, ...",
               [&options](const std::string& text) { options.profile = text; });
+    app.add_flag("--suggest-pixels", options.suggest_pixels,
+                 "where several mistakes fit: pixels that would tell\nwhich it is");
+    add_value(app, "--suggest-from", "SCENE", "another scene to look for such pixels in",
+              [arguments](const std::string& text) {
+                  arguments->run.options.suggest_pixels = true;
+                  arguments->other_scenes.push_back(text);
+              })
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_value(app, "--rubric", "FILE", "points for quantities, levels and kinds of rays",
               [arguments](const std::string& text) {
                   arguments->run.rubric = check::read_rubric(read_input(text), text);

@@ -7,17 +7,40 @@
 #include <map>
 #include <memory>
 
+#include "check/picture_check.h"
 #include "command.h"
 #include "formats/output_file.h"
 #include "report_spool.h"
+#include "scene/input_error.h"
 #include "submission_feed.h"
 
 namespace raytree::cli {
 namespace {
 
-check::Report judged(const check::Checker& checker, const Handed& handed) {
+std::string picture_bytes(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file, error);
+    if (!error && size > check::largest_picture) {
+        throw InputError("", "", "is too large for a picture");
+    }
+    return read_input(file);
+}
+
+check::Report judged_picture(const check::PictureChecker& checker, const Handed& handed) {
+    try {
+        return checker.check(handed.text ? *handed.text : picture_bytes(handed.file), handed.name);
+    } catch (const InputError& error) {
+        return check::refused(handed.name, error.mistakes().front().text);
+    }
+}
+
+check::Report judged(const check::Checker& checker, const check::PictureChecker& pictures,
+                     const Handed& handed) {
     if (!handed.refusal.empty()) {
         return check::refused(handed.name, handed.refusal);
+    }
+    if (handed.is_picture) {
+        return judged_picture(pictures, handed);
     }
     if (handed.text) {
         return checker.check_text(*handed.text, handed.name);
@@ -32,6 +55,7 @@ int exit_code(const ReportSpool& spool) { return spool.all_pass() ? done : found
 int check_submissions(const CheckRun& run) {
     SubmissionFeed feed(run.submissions, run.anonymous);
     const check::Checker checker(run.scene, run.options);
+    const check::PictureChecker pictures(checker);
     ReportSpool spool(run.as);
     const std::size_t threads =
         run.threads > 0
@@ -47,7 +71,7 @@ int check_submissions(const CheckRun& run) {
         return std::make_shared<Handed>(*std::move(handed));
     };
     const auto judge = [&](const std::shared_ptr<Handed>& handed) {
-        const check::Report report = judged(checker, *handed);
+        const check::Report report = judged(checker, pictures, *handed);
         return std::make_shared<check::Printed>(
             check::printed(report, run.rubric ? &*run.rubric : nullptr));
     };

@@ -14,6 +14,7 @@ struct CheckRun {
     std::vector<std::string> submissions;
     Scene scene;
     check::CheckOptions options;
+    std::vector<Scene> other_scenes;  ///< to suggest pixels of
     std::optional<check::Rubric> rubric;
     bool anonymous = false;
     check::ReportFormat as = check::ReportFormat::text;

@@ -179,18 +179,7 @@ bool Checker::explains_all(const Submission& submission, const Choices& choices)
 /// What other courses do that would make all of it right: one convention, or a course's.
 void Checker::look_for_conventions(const Submission& submission, const Choices& base,
                                    Report& report) const {
-    std::vector<Choices> candidates;
-    for (const Convention& convention : conventions()) {
-        Choices one =
-            with_choice(base, std::string(convention.axis) + '=' + std::string(convention.value));
-        if (one != base) {
-            candidates.push_back(std::move(one));
-        }
-    }
-    for (const Profile& profile : profiles()) {
-        candidates.push_back(books_.choices_of(profile));
-    }
-    for (const Choices& choices : candidates) {
+    for (const Choices& choices : books_.alternatives(base)) {
         const Choices differing = seen_in_trees(books_.differences(choices, base));
         if (!differing.empty() && explains_all(submission, choices)) {
             report.conventions = differing;
@@ -291,6 +280,16 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
     }
     if (judged->causes() > 0 && options_.name_mistakes) {
         diagnose(book.place, book.names, book.laws, submission, options, report);
+    }
+    for (const NamedMistake& mistake : report.mistakes) {
+        if (options_.suggest_pixels && !mistake.ties.empty()) {
+            std::vector<std::string> candidates = mistake.ties;
+            candidates.insert(candidates.begin(), mistake.id);
+            for (std::string& text :
+                 suggestions(book.place, book.laws, candidates, options_.suggested_scenes)) {
+                report.telling_pixels.push_back(std::move(text));
+            }
+        }
     }
 }
 

@@ -11,6 +11,7 @@
 #include "check/finding.h"
 #include "check/replay.h"
 #include "check/rulebook.h"
+#include "check/telling_pixels.h"
 
 /// Holds ray trees from someone else's tracer against the truth.
 namespace raytree::check {
@@ -23,6 +24,8 @@ struct CheckOptions {
     std::optional<std::string> profile;  ///< conventions to judge by; none: those that fit best
     bool course_text = false;  ///< the scene's settings are those of the course text format
     bool name_mistakes = true;
+    bool suggest_pixels = false;               ///< that would tell apart what a mistake may be
+    std::vector<NamedScene> suggested_scenes;  ///< others to look for such pixels in
 };
 
 /// A mistake that would give the submission's numbers.
@@ -52,6 +55,7 @@ struct Report {
     std::size_t rays = 0, compared = 0;
     Tally tally;
     std::string precision;
+    std::string compares = "quantities";      ///< or "pixels"
     std::vector<std::string> telling_pixels;  ///< that would tell its mistakes apart
 
     std::size_t causes() const;
@@ -73,6 +77,7 @@ class Checker {
 
     /// The scene as the lecture has it.
     const Place& place() const { return books_.lecture().place; }
+    const Scene& scene() const { return scene_; }
     const Rulebooks& rulebooks() const { return books_; }
     const CheckOptions& options() const { return options_; }
 

@@ -71,6 +71,7 @@ Printed printed(const Report& report, const Rubric* rubric) {
     out.rays = report.rays;
     out.compared = report.compared;
     out.precision = report.precision;
+    out.compares = report.compares;
     out.mistakes = report.mistakes;
     out.profile_asked_for = report.profile_asked_for;
     for (const Finding& finding : report.findings) {

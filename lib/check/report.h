@@ -34,6 +34,7 @@ struct Printed {
     double score = 0;
     std::size_t rays = 0, compared = 0;
     std::string precision;
+    std::string compares = "quantities";  ///< or "pixels"
     std::vector<PrintedFinding> findings;
     std::vector<NamedMistake> mistakes;
     std::vector<PrintedConvention> conventions;

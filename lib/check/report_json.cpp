@@ -112,6 +112,7 @@ std::string json_of(const Printed& of) {
     json.member("score", of.score);
     json.member("rays", of.rays);
     json.member("compared", of.compared);
+    json.member("compares", of.compares);
     json.member("precision", of.precision);
     if (of.points) {
         write_points(json, *of.points);

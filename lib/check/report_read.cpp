@@ -109,6 +109,7 @@ Printed read_submission(const OptionalMembers& in) {
     in.number("score", out.score);
     in.count("rays", out.rays);
     in.count("compared", out.compared);
+    in.text("compares", out.compares);
     in.text("precision", out.precision);
     in.object("points", [&](const OptionalMembers& points) { out.points = read_points(points); });
     in.list("findings", [&](const OptionalMembers& f) { out.findings.push_back(read_finding(f)); });

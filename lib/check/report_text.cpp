@@ -26,8 +26,10 @@ std::string headline(const Printed& of) {
     if (of.verdict == "unreadable") {
         return line;
     }
-    line += ", " + std::to_string(of.rays) + (of.rays == 1 ? " ray, " : " rays, ") +
-            std::to_string(of.compared) + " quantities compared";
+    if (of.compares != "pixels") {
+        line += ", " + std::to_string(of.rays) + (of.rays == 1 ? " ray" : " rays");
+    }
+    line += ", " + std::to_string(of.compared) + ' ' + of.compares + " compared";
     if (of.verdict == "fail") {
         line += ", " + percent(of.score) + " right";
     }
@@ -69,7 +71,11 @@ std::string causes_text(const Printed& of, std::size_t most) {
         text += "  " + std::to_string(listed) + ". " + finding.text + '\n';
         const auto followers = std::ranges::count_if(
             of.findings, [k](const PrintedFinding& f) { return f.follows_from == k; });
-        if (followers > 0) {
+        if (followers > 0 && of.compares == "pixels") {
+            for (const PrintedFinding& group : of.findings) {
+                text += group.follows_from == k ? "     " + group.text + '\n' : "";
+            }
+        } else if (followers > 0) {
             text += "     " + std::to_string(followers) +
                     (followers == 1 ? " other difference follows" : " other differences follow") +
                     " from it\n";
@@ -87,8 +93,10 @@ std::string mistakes_text(const Printed& of) {
         text += std::string("  ") + (mistake.sure ? "The mistake" : "Perhaps") + ": " +
                 mistake.text + " [" + mistake.id + "]\n";
         text += "     explains " + std::to_string(mistake.rays) +
-                (mistake.rays == 1 ? " ray" : " rays") + "; see the lecture on " + mistake.topic +
-                ", lesson " + mistake.lesson + '\n';
+                (of.compares == "pixels" ? " pixels"
+                 : mistake.rays == 1     ? " ray"
+                                         : " rays") +
+                "; see the lecture on " + mistake.topic + ", lesson " + mistake.lesson + '\n';
         if (!mistake.ties.empty()) {
             text += "     the same numbers would come from";
             for (const std::string& tie : mistake.ties) {

@@ -74,6 +74,23 @@ const Rulebook& Rulebooks::of(const Choices& choices) const {
     return *made;
 }
 
+std::vector<Choices> Rulebooks::alternatives(const Choices& base) const {
+    std::vector<Choices> all;
+    for (const bool as_the_scene_says : {false, true}) {
+        for (const Convention& convention : conventions()) {
+            if ((convention.value == "scene") == as_the_scene_says) {
+                all.push_back(with_choice(
+                    base, std::string(convention.axis) + '=' + std::string(convention.value)));
+            }
+        }
+    }
+    for (const Profile& profile : profiles()) {
+        all.push_back(choices_of(profile));
+    }
+    std::erase(all, base);
+    return all;
+}
+
 Choices Rulebooks::differences(const Choices& choices, const Choices& base) const {
     Choices differing;
     for (std::size_t k = 0; k < choices.size(); ++k) {

@@ -35,6 +35,10 @@ class Rulebooks {
     const Rulebook& of(const Profile& profile) const { return of(choices_of(profile)); }
     const Rulebook& lecture() const { return of(profiles().front()); }
 
+    /// What other courses do: one convention of `base` exchanged, those first that say what they
+    /// are and are not only "as the scene says"; then whole courses.
+    std::vector<Choices> alternatives(const Choices& base) const;
+
     /// The conventions of `choices` that are others than those of `base`, but for those that change
     /// nothing of this scene.
     Choices differences(const Choices& choices, const Choices& base) const;
