@@ -213,7 +213,7 @@ template <class T> std::string write_tree_json(const RayTree<T>& tree, const Sce
 
 std::string write_ray_json(const TreeRay<double>& ray) {
     JsonWriter json;
-    write_ray(json, ray);
+    write_ray(json, ray, nullptr);
     return json.take();
 }
 
