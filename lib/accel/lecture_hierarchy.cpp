@@ -74,8 +74,8 @@ std::vector<PrimitiveId> all_items(std::size_t count) {
 
 }  // namespace
 
-Passage pass(const Box& box, const Vec3<double>& origin, const Vec3<double>& direction) {
-    Passage passage{-Real<double>::infinity, Real<double>::infinity};
+VolumePassage pass(const Box& box, const Vec3<double>& origin, const Vec3<double>& direction) {
+    VolumePassage passage{-Real<double>::infinity, Real<double>::infinity};
     for (int axis = 0; axis < 3; ++axis) {
         if (direction[axis] == 0) {
             if (origin[axis] < box.min[axis] || origin[axis] > box.max[axis]) {
@@ -91,8 +91,8 @@ Passage pass(const Box& box, const Vec3<double>& origin, const Vec3<double>& dir
     return passage;
 }
 
-Passage pass(const BoundingSphere& sphere, const Vec3<double>& origin,
-             const Vec3<double>& direction) {
+VolumePassage pass(const BoundingSphere& sphere, const Vec3<double>& origin,
+                   const Vec3<double>& direction) {
     const Vec3<double> f = origin - sphere.center;
     const double middle = -inner(f, direction);
     const Vec3<double> foot = along(f, middle, direction);

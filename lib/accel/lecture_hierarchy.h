@@ -25,15 +25,15 @@ struct BoundingSphere {
 };
 
 /// Where a ray enters and leaves a volume; nothing is met where `enter > leave`.
-struct Passage {
+struct VolumePassage {
     double enter = 1;
     double leave = 0;
     bool met() const { return enter <= leave; }
 };
 
-Passage pass(const Box& box, const Vec3<double>& origin, const Vec3<double>& direction);
-Passage pass(const BoundingSphere& sphere, const Vec3<double>& origin,
-             const Vec3<double>& direction);
+VolumePassage pass(const Box& box, const Vec3<double>& origin, const Vec3<double>& direction);
+VolumePassage pass(const BoundingSphere& sphere, const Vec3<double>& origin,
+                   const Vec3<double>& direction);
 
 /// A tree of volumes over the shapes of a scene; what a ray does not meet, it need not open.
 class LectureHierarchy {
@@ -97,7 +97,7 @@ class LectureIntersector {
     /// One volume that a ray was tested against.
     struct Step {
         std::uint32_t node = 0;
-        Passage passage;
+        VolumePassage passage;
         bool opened = false;                 ///< it is met, and before the nearest hit so far
         std::vector<PrimitiveId> tested;     ///< of a leaf that is opened
         std::optional<Hit<double>> nearest;  ///< after this step
@@ -122,7 +122,7 @@ template <class Visitor> void LectureHierarchy::traverse(const Vec3<double>& ori
                           nodes_[node].volume);
     };
     const auto ask = [&](std::uint32_t node) {
-        const Passage passage = passage_of(node);
+        const VolumePassage passage = passage_of(node);
         const bool open = passage.met() && passage.leave >= 0 && passage.enter <= t_max;
         visitor.volume(node, passage, open);
         return open ? std::optional(std::max(passage.enter, 0.0)) : std::nullopt;

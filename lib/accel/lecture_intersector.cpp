@@ -21,7 +21,7 @@ template <class Found, class Tell> struct Asking {
     Found found;  ///< gets a hit, returns the new end of the interval or a negative number to stop
     Tell tell;    ///< gets what is tested
 
-    void volume(std::uint32_t node, const Passage& passage, bool open) {
+    void volume(std::uint32_t node, const VolumePassage& passage, bool open) {
         ++count.volumes;
         tell.volume(node, passage, open);
     }
@@ -45,7 +45,7 @@ template <class Found, class Tell> struct Asking {
 };
 
 struct Silent {
-    void volume(std::uint32_t, const Passage&, bool) {}
+    void volume(std::uint32_t, const VolumePassage&, bool) {}
     void items(std::uint32_t, std::span<const PrimitiveId>) {}
 };
 
@@ -73,7 +73,7 @@ struct StepWriter {
     std::vector<LectureIntersector::Step>& steps;
     const std::optional<Hit<double>>& best;
 
-    void volume(std::uint32_t node, const Passage& passage, bool open) {
+    void volume(std::uint32_t node, const VolumePassage& passage, bool open) {
         steps.push_back({node, passage, open, {}, best});
     }
     void items(std::uint32_t node, std::span<const PrimitiveId> items) {

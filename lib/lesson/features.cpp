@@ -59,7 +59,7 @@ Json shower_json(const StageWorld& world, const Show& show, std::size_t) {
             {"eye_radius", options.eye_radius}};
 }
 
-Json passage_json(const Passage& passage) {
+Json passage_json(const VolumePassage& passage) {
     return passage.met() ? Json::array({passage.enter, passage.leave}) : Json();
 }
 

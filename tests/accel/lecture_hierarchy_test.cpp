@@ -147,11 +147,11 @@ TEST_CASE("the replay of a ray tells each volume and ends with the closest hit")
 
 TEST_CASE("a ray passes a box and a sphere where geometry says") {
     const Box box{{-1, -1, -1}, {1, 1, 1}};
-    const Passage through = pass(box, {-3, 0, 0}, {1, 0, 0});
+    const VolumePassage through = pass(box, {-3, 0, 0}, {1, 0, 0});
     CHECK(through.enter == doctest::Approx(2));
     CHECK(through.leave == doctest::Approx(4));
     CHECK(!pass(box, {-3, 2, 0}, {1, 0, 0}).met());
-    const Passage ball = pass(BoundingSphere{{0, 0, 0}, 2}, {-3, 0, 0}, {1, 0, 0});
+    const VolumePassage ball = pass(BoundingSphere{{0, 0, 0}, 2}, {-3, 0, 0}, {1, 0, 0});
     CHECK(ball.enter == doctest::Approx(1));
     CHECK(ball.leave == doctest::Approx(5));
     CHECK(!pass(BoundingSphere{{0, 0, 0}, 2}, {-3, 2.1, 0}, {1, 0, 0}).met());
