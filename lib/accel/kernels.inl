@@ -123,11 +123,35 @@ inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Travell
     return less_equal(square, reach * reach);
 }
 
+/// The cones of a leaf whose axis the ray's line may pass within the larger radius. With w = d x a
+/// the lines' distance is |(b - o) . w| / |w|, its numerator's error some roundings of |b - o|.
+inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 from[3], axis[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
+        axis[k] = F8::load(rows + (3 + ray.axis[k]) * n);
+    }
+    F8 distance = F8::all(0), square = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const F8 across = multiply_subtract(F8::all(ray.direction[i]), axis[j],
+                                            F8::all(ray.direction[j]) * axis[i]);
+        distance = multiply_add(from[k], across, distance);
+        square = multiply_add(across, across, square);
+    }
+    const F8 radius = F8::load(rows + 6 * n) * F8::all(1 + 0x1p-20F);
+    return less_equal(abs(distance),
+                      multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
+}
+
 /// Which shapes of a leaf are to be met in double, a bit for each.
 inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const unsigned all = (2U << (leaf.count() - 1)) - 1;
     return leaf.kind() == LeafFilter::triangle ? filter_triangles(filter, leaf, ray) & all
            : leaf.kind() == LeafFilter::sphere ? filter_spheres(filter, leaf, ray) & all
+           : leaf.kind() == LeafFilter::cone   ? filter_cones(filter, leaf, ray) & all
                                                : all;
 }
 
@@ -146,6 +170,12 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
                      start_on(id, query.leaving));
 }
 
+[[gnu::flatten]] inline Roots<double> meet_cone(const Searched& searched, PrimitiveId id,
+                                                const Query<double>& query) {
+    return intersect(searched.shapes.cone(searched.shapes[id]), query.ray,
+                     start_on(id, query.leaving));
+}
+
 /// Meets the shapes of a leaf; true where nothing more is to be looked for.
 template <bool any_will_do>
 inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
@@ -156,6 +186,7 @@ inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
         const Roots<double> roots =
             leaf.kind() == LeafFilter::triangle ? meet_triangle(searched, leaf, lane, id, query)
             : leaf.kind() == LeafFilter::sphere ? meet_sphere(searched, id, query)
+            : leaf.kind() == LeafFilter::cone   ? meet_cone(searched, id, query)
                 : searched.shapes.intersect(id, query.ray, query.leaving);
         for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
             const Hit<double> hit{roots.t[k], id};

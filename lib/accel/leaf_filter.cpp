@@ -79,6 +79,16 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
                     static_cast<float>((shape.center[axis] - center_[axis]) * scale_);
             }
             row[3 * n + lane] = static_cast<float>(shape.radius * scale_);
+        } else if (leaf.kind() == cone) {
+            const ConeShape<double>& shape = shapes.cone(primitive);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int axis = static_cast<int>(k);
+                row[k * n + lane] = static_cast<float>((shape.base[axis] - center_[axis]) * scale_);
+                row[(3 + k) * n + lane] = static_cast<float>(shape.axis.vec()[axis]);
+            }
+            const double apex_radius = shape.base_radius + shape.slope * shape.height;
+            row[6 * n + lane] =
+                static_cast<float>(std::max(shape.base_radius, apex_radius) * scale_);
         }
     }
 }

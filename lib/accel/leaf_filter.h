@@ -8,17 +8,18 @@
 
 namespace raytree {
 
-/// Float copies of a scene's triangles and spheres, leaf by leaf, with which eight of them are
-/// tested at once. The test passes every shape that the ray meets and few others; those it passes
-/// are then met in double. So it decides how fast an answer is found and never which.
+/// Float copies of a scene's triangles, spheres and cones, leaf by leaf, with which eight of them
+/// are tested at once. The test passes every shape that the ray meets and few others; those it
+/// passes are then met in double. So it decides how fast an answer is found and never which.
 class LeafFilter {
   public:
     /// What an item of the hierarchy is.
-    enum Kind : std::uint8_t { triangle, sphere, other };
+    enum Kind : std::uint8_t { triangle, sphere, cone, other };
 
     /// Nine floats an item. Of a leaf of n items that begins with item `first`, they begin at
     /// 9 * first: n numbers of the first kind, then n of the second, and so on. Triangles: x, y
-    /// and z of the first vertex, of the second, of the third; spheres: x, y, z and radius.
+    /// and z of the first vertex, of the second, of the third; spheres: x, y, z and radius; cones:
+    /// the base, the unit axis, the larger radius.
     static constexpr std::size_t numbers = 9;
 
     LeafFilter() = default;
@@ -28,6 +29,7 @@ class LeafFilter {
         return primitive.transform >= 0                ? other
                : primitive.kind == ShapeKind::triangle ? triangle
                : primitive.kind == ShapeKind::sphere   ? sphere
+               : primitive.kind == ShapeKind::cone     ? cone
                                                        : other;
     }
 

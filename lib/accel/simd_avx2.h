@@ -24,6 +24,7 @@ inline F8 operator*(const F8& a, const F8& b) { return {_mm256_mul_ps(a.v, b.v)}
 inline F8 min(const F8& a, const F8& b) { return {_mm256_min_ps(a.v, b.v)}; }
 inline F8 max(const F8& a, const F8& b) { return {_mm256_max_ps(a.v, b.v)}; }
 inline F8 abs(const F8& a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)}; }
+inline F8 square_root(const F8& a) { return {_mm256_sqrt_ps(a.v)}; }
 inline F8 multiply_add(const F8& a, const F8& b, const F8& c) {
     return {_mm256_fmadd_ps(a.v, b.v, c.v)};
 }

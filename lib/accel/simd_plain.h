@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -54,6 +55,9 @@ inline F8 max(const F8& a, const F8& b) {
 }
 inline F8 abs(const F8& a) {
     return each(a, a, [](float x, float) { return x < 0 ? -x : x; });
+}
+inline F8 square_root(const F8& a) {
+    return each(a, a, [](float x, float) { return std::sqrt(x); });
 }
 /// `a b + c` and `a b - c` and `c - a b`, rounded once or twice.
 inline F8 multiply_add(const F8& a, const F8& b, const F8& c) { return a * b + c; }

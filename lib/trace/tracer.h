@@ -186,8 +186,9 @@ auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, co
 }
 
 /// A ray that leaves the hit to the outer or the inner side of its surface.
-template <class T, class Recorder>
-Ray<T> Tracer<T, Recorder>::onwards(const Node& node, const Vec3<T>& direction, bool outwards) {
+template <class T, class Recorder, Facts facts>
+Ray<T> Tracer<T, Recorder, facts>::onwards(const Node& node, const Vec3<T>& direction,
+                                           bool outwards) {
     const Vec3<T>& point = node.surface.point;
     return {point, direction, 4 * Real<T>::unit_roundoff * largest_component(point),
             outwards ? Going::outwards : Going::inwards};
