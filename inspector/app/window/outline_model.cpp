@@ -22,15 +22,23 @@ void OutlineModel::show(const State& state) {
         places_[rays_[k]] = k;
     }
     outline_ = Outline(tree_, state.look().ghosts);
-    theme_ = state.look().theme;
+    draw_signs(state.look().theme);
     quantize_ = state.document() ? state.document()->scene().settings.quantize : Quantize::round;
+    endResetModel();
+}
+
+/// Once for each theme: they are drawn, and a tree is shown with every click.
+void OutlineModel::draw_signs(Theme theme) {
+    if (theme == theme_ && !signs_[0].isNull()) {
+        return;
+    }
+    theme_ = theme;
     for (std::size_t k = 0; k < look_count; ++k) {
         signs_[k] = sign_of(static_cast<RayLook>(k), palette_of(theme_));
     }
     for (std::size_t k = 0; k < ghost_signs_.size(); ++k) {
         ghost_signs_[k] = ghost_sign(static_cast<RayKind>(k), palette_of(theme_));
     }
-    endResetModel();
 }
 
 /// Of the outline, a row's place in it; of the sorted table, the ray.

@@ -32,6 +32,7 @@ class OutlineModel : public QAbstractItemModel {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
+    void draw_signs(Theme theme);
     QModelIndex index_of(std::size_t place, int column) const;
     QVariant text(const OutlineRow& row, Column column) const;
     QVariant icon(const OutlineRow& row, Column column) const;

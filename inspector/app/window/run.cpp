@@ -10,6 +10,7 @@
 #include "state/commands.h"
 #include "window/exporter.h"
 #include "window/main_window.h"
+#include "window/remembered_table.h"
 #include "window/scene_pane.h"
 
 namespace raytree::inspector {
@@ -66,6 +67,9 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     QApplication::processEvents();  // the panes take their sizes
     for (const std::string& line : options.script) {
         run_line(state, line);
+    }
+    if (!options.screenshot && options.script.empty()) {
+        remember_table(state);
     }
     if (options.screenshot) {
         take_screenshot(state, window, *options.screenshot);
