@@ -43,7 +43,7 @@ std::string extension_of(const std::string& file) {
 
 void export_tree(State& state, TreeExport as, const std::string& file) {
     expect_writable(state, file);
-    write_output(file, written(state.tree()->tree, state.document()->scene(), as));
+    write_output(file, written(own_tree(*state.tree()), state.document()->scene(), as));
     state.say("Written: " + file);
 }
 
@@ -95,7 +95,7 @@ void expect_picture(const State& state, const std::string& file) {
 std::string suggested_name(const State& state, const Command& command) {
     std::string name = state.document()->file().stem().string();
     const Pixel pixel = state.pixel();
-    if (command.id == "export.scene") {
+    if (command.id == "export.scene" || command.id == "file.save_as") {
         name += "-copy";
     } else if (command.id != "export.picture") {
         name += "-" + std::to_string(pixel.i) + "-" + std::to_string(pixel.j);

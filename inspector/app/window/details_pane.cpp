@@ -5,6 +5,7 @@
 
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/marked_texts.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
 
@@ -20,12 +21,12 @@ class Writer {
   public:
     Writer(const Palette& palette, Quantize quantize) : palette_(palette), quantize_(quantize) {}
 
-    void heading(const TreeRay<double>& ray) {
+    void heading(const PixelTree& tree, const TreeRay<double>& ray) {
         const QString colour = qt(palette_[look_of(ray)]).name();
         html_ += QStringLiteral(
                      "<p style='margin:2px 0 2px 0; font-size:large'><b>"
                      "<span style='color:%1'>&#9632;</span>&nbsp;%2</b></p>")
-                     .arg(colour, qt(title_of(ray)).toHtmlEscaped());
+                     .arg(colour, qt(marked_title_of(tree, ray.id)).toHtmlEscaped());
     }
 
     void equation(const TreeRay<double>& ray) {
@@ -103,7 +104,7 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     setOpenLinks(false);
     document()->setDocumentMargin(8);
     state_.observe([this](const Changes& changes) {
-        if (changes.selection || changes.tree || changes.look) {
+        if (changes.selection || changes.tree || changes.look || changes.playback) {
             show_ray();
         }
     });
@@ -116,15 +117,17 @@ void DetailsPane::show_ray() {
         return;
     }
     Writer writer(palette, state_.tree()->tree.settings.quantize);
-    writer.heading(*state_.selected());
+    writer.heading(*state_.tree(), *state_.selected());
     writer.equation(*state_.selected());
-    for (const DetailSection& section : details_of(*state_.tree(), state_.selected()->id)) {
+    const std::size_t ray = state_.selected()->id;
+    for (const DetailSection& section : known_details(*state_.tree(), ray, state_.playback())) {
         writer.section(section);
     }
-    const Derivation derivation =
-        derive(state_.document()->world(), state_.tree()->tree, state_.selected()->id);
-    for (const DetailSection& section : derivation_details(derivation)) {
-        writer.section(section);
+    if (can_derive(*state_.tree(), ray, state_.playback())) {
+        const Derivation derivation = derive(state_.document()->world(), state_.tree()->tree, ray);
+        for (const DetailSection& section : derivation_details(derivation)) {
+            writer.section(section);
+        }
     }
     setHtml(writer.take());
     verticalScrollBar()->setValue(0);

@@ -15,9 +15,11 @@ class Actions;
 class CountsPane;
 class DetailsPane;
 class DiagramPane;
+class Files;
 class OutlinePane;
 class PicturePane;
 class ScenePane;
+class SideDock;
 
 /// The window: 3D view in the middle, picture and details at the left, the tree below:
 /// as an outline, a diagram or counts.
@@ -33,6 +35,8 @@ class MainWindow : public QMainWindow {
     DetailsPane& details_pane() const { return *details_; }
     DiagramPane& diagram_pane() const { return *diagram_; }
     CountsPane& counts_pane() const { return *counts_pane_; }
+    SideDock& side_dock() const { return *side_; }
+    Files& files() const { return *files_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -40,6 +44,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -58,6 +63,8 @@ class MainWindow : public QMainWindow {
     State& state_;
     PictureFeed feed_;
     Actions* actions_ = nullptr;
+    Files* files_ = nullptr;
+    SideDock* side_ = nullptr;
     PicturePane* picture_ = nullptr;
     ScenePane* scene_ = nullptr;
     OutlinePane* outline_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <QFont>
 
+#include "state/marked_texts.h"
 #include "tree/explain.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
@@ -12,7 +13,7 @@ void OutlineModel::show(std::shared_ptr<const PixelTree> tree, bool ghosts, Them
                         Quantize quantize) {
     beginResetModel();
     tree_ = std::move(tree);
-    outline_ = Outline(tree_, ghosts);
+    outline_ = Outline(tree_, ghosts, happened_rows(playback_));
     theme_ = theme;
     quantize_ = quantize;
     for (std::size_t k = 0; k < look_count; ++k) {
@@ -57,11 +58,10 @@ int OutlineModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant OutlineModel::text(const OutlineRow& row, int column) const {
-    const OutlineTexts texts = texts_of(*tree_, row);
+    const OutlineTexts texts = marked_texts_of(*tree_, row, playback_);
     switch (column) {
         case ray_column:
-            return row.skipped ? qt(texts.ray)
-                               : QStringLiteral("#%1  ").arg(row.ray) + qt(texts.ray);
+            return row.skipped ? qt(texts.ray) : qt(number_of(*tree_, row.ray) + "  " + texts.ray);
         case met_column:
             return qt(texts.met);
         case t_column:
@@ -80,7 +80,8 @@ QVariant OutlineModel::icon(const OutlineRow& row, int column) const {
         return row.skipped ? ghost_signs_[static_cast<std::size_t>(ray.skipped[*row.skipped].kind)]
                            : signs_[static_cast<std::size_t>(look_of(ray))];
     }
-    if (const auto colour = swatch_of(*tree_, row); column == intensity_column && colour) {
+    const bool known = !playback_ || playback_->stage(row.ray) == Stage::evaluated;
+    if (const auto colour = swatch_of(*tree_, row); column == intensity_column && colour && known) {
         const auto [r, g, b] = eight_bit(*colour, quantize_).value;
         return swatch(QColor(r, g, b), palette);
     }
@@ -101,13 +102,14 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
             return index.column() == t_column ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
                                               : QVariant();
         case Qt::ForegroundRole:
-            return row.skipped || index.column() == ended_column
+            return row.skipped || index.column() == ended_column || !tree_->is_own(row.ray)
                        ? QVariant(qt(palette_of(theme_).dim_text))
                        : QVariant();
         case Qt::FontRole: {
             QFont font;
-            font.setItalic(row.skipped.has_value());
-            return row.skipped ? QVariant(font) : QVariant();
+            font.setItalic(row.skipped || !tree_->is_own(row.ray));
+            font.setBold(!row.skipped && tree_->mark(row.ray) == RayMark::different);
+            return font.italic() || font.bold() ? QVariant(font) : QVariant();
         }
         default:
             return {};

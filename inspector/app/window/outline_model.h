@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "state/outline.h"
+#include "state/playback.h"
 
 namespace raytree::inspector {
 
@@ -19,6 +20,8 @@ class OutlineModel : public QAbstractItemModel {
     explicit OutlineModel(QObject* parent = nullptr) : QAbstractItemModel(parent) {}
 
     void show(std::shared_ptr<const PixelTree> tree, bool ghosts, Theme theme, Quantize quantize);
+    /// What is shown from the next `show` on: only what has happened by then.
+    void follow(const std::optional<Playback>& playback) { playback_ = playback; }
     QModelIndex index_of_ray(std::size_t ray) const;
     const OutlineRow& row(const QModelIndex& index) const {
         return outline_.row(static_cast<std::size_t>(index.internalId()));
@@ -39,6 +42,7 @@ class OutlineModel : public QAbstractItemModel {
 
     std::shared_ptr<const PixelTree> tree_;
     Outline outline_;
+    std::optional<Playback> playback_;
     Theme theme_ = Theme::light;
     Quantize quantize_ = Quantize::round;
     std::array<QIcon, look_count> signs_;

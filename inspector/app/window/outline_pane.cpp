@@ -23,10 +23,10 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     header()->setStretchLastSection(true);
     header()->setMinimumSectionSize(30);
     state_.observe([this](const Changes& changes) {
-        if (changes.tree || changes.look || changes.document) {
+        if (changes.tree || changes.look || changes.document || changes.playback) {
             show_tree();
         }
-        if (changes.selection || changes.look) {
+        if (changes.selection || changes.look || changes.playback) {
             show_selection();
         }
     });
@@ -36,6 +36,7 @@ void OutlinePane::show_tree() {
     following_ = true;
     const Quantize quantize =
         state_.document() ? state_.document()->scene().settings.quantize : Quantize::round;
+    model_->follow(state_.playback());
     model_->show(state_.tree(), state_.look().ghosts, state_.look().theme, quantize);
     if (state_.tree() && state_.tree()->tree.rays.size() <= most_expanded) {
         expandAll();

@@ -72,7 +72,10 @@ void ScenePane::obey(const Changes& changes) {
         scene3d_.set_theme(palette_of(state_.look().theme));
         stale_shapes_ = true;
     }
-    if (changes.tree || changes.look) {
+    if (changes.coats) {
+        take_document();
+    }
+    if (changes.tree || changes.look || changes.playback) {
         take_tree();
     }
     if (changes.document) {
@@ -81,7 +84,7 @@ void ScenePane::obey(const Changes& changes) {
     if (changes.request) {
         obey(*changes.request);
     }
-    if (changes.document || changes.tree || changes.selection || changes.look) {
+    if (changes.document || changes.tree || changes.selection || changes.look || changes.playback) {
         redraw();
     }
 }
@@ -122,7 +125,12 @@ void ScenePane::take_tree() {
         overlay_->set_note(cut ? QStringLiteral("drawn are the %1 weightiest of %2 rays")
                                      .arg(paths_.size())
                                      .arg(all)
-                               : QString());
+                               : qt(contrast_note(state_)));
+        if (const auto& playback = state_.playback()) {
+            std::erase_if(paths_, [&](const RayPath& path) {
+                return playback->stage(path.ray) == Stage::unsent;
+            });
+        }
     }
 }
 
