@@ -71,7 +71,7 @@ def use(folder):
     i, j = clicked["pixel"]
     assert moved["pixel"] == [i + 3, j + 1], (clicked["pixel"], moved["pixel"])
     assert moved["rays"], "no rays"
-    key("n", "o", "2", "f", "t")  # a ray, its object, from the side, fitted, in the dark
+    key("n", "h", "2", "f", "t")  # a ray, its object, from the side, fitted, in the dark
     key("alt+Left")
     back = exported_tree(folder, "back.json")
     assert back["pixel"] != moved["pixel"], back["pixel"]

@@ -135,11 +135,11 @@ class WindowSeeingTest : public QObject {
 
     void keys_reach_objects_and_lights() {
         canvas()->setFocus();
-        QTest::keyClick(canvas(), Qt::Key_O);
+        QTest::keyClick(canvas(), Qt::Key_H);
         QVERIFY(state_.thing().has_value());
         QTest::keyClick(canvas(), Qt::Key_L, Qt::ShiftModifier);
         QVERIFY((state_.thing() == Thing{Thing::Kind::light, 0}));
-        QTest::keyClick(canvas(), Qt::Key_Escape);
+        QTest::keyClick(canvas(), Qt::Key_Escape, Qt::ShiftModifier);
         QVERIFY(!state_.thing());
     }
 

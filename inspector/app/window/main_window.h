@@ -16,9 +16,11 @@ class CountsPane;
 class FilterPane;
 class DetailsPane;
 class DiagramPane;
+class Files;
 class OutlinePane;
 class PicturePane;
 class ScenePane;
+class SideDock;
 
 /// The window: 3D view in the middle, picture and details at the left, the tree below:
 /// as an outline, a diagram or counts.
@@ -35,6 +37,8 @@ class MainWindow : public QMainWindow {
     DiagramPane& diagram_pane() const { return *diagram_; }
     CountsPane& counts_pane() const { return *counts_pane_; }
     FilterPane& filter_pane() const { return *filter_; }
+    SideDock& side_dock() const { return *side_; }
+    Files& files() const { return *files_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -42,6 +46,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -60,6 +65,8 @@ class MainWindow : public QMainWindow {
     State& state_;
     PictureFeed feed_;
     Actions* actions_ = nullptr;
+    Files* files_ = nullptr;
+    SideDock* side_ = nullptr;
     PicturePane* picture_ = nullptr;
     ScenePane* scene_ = nullptr;
     OutlinePane* outline_ = nullptr;
