@@ -40,15 +40,23 @@ def key(*keys):
     time.sleep(0.3)
 
 
-def exported_tree(folder, name):
+def focus(window):
+    """Without a window manager nobody gives the keys back to a window when its dialog closes."""
+    xdotool("windowfocus", "--sync", window)
+    time.sleep(1)
+
+
+def exported_tree(window, folder, name):
     """Exports the tree by keys alone, and reads the file."""
     path = folder / name
+    focus(window)
     key("ctrl+e")
-    wait_for("the dialog", lambda: windows("Tree as JSON"))
-    time.sleep(0.5)
+    focus(wait_for("the dialog", lambda: windows("Tree as JSON"))[0])
+    key("ctrl+a")
     xdotool("type", "--delay", "20", str(path))
     key("Return")
     wait_for(name, path.exists)
+    focus(window)
     return json.loads(path.read_text())
 
 
@@ -57,23 +65,21 @@ def use(folder):
     time.sleep(2)  # the picture comes in
     xdotool("windowsize", "--sync", window, 1280, 800)
     xdotool("windowmove", "--sync", window, 0, 0)
-    xdotool("windowfocus", window)
-    time.sleep(1)
-    first = exported_tree(folder, "first.json")
+    first = exported_tree(window, folder, "first.json")
     xdotool("mousemove", 150, 250, "click", 1)  # in the picture, at its upper left
     time.sleep(1)
-    clicked = exported_tree(folder, "clicked.json")
+    clicked = exported_tree(window, folder, "clicked.json")
     assert clicked["pixel"] != first["pixel"], (first["pixel"], clicked["pixel"])
     xdotool("mousemove", 150, 250, "click", 1)
     key("Right", "Right", "Right", "Down")
     time.sleep(0.5)
-    moved = exported_tree(folder, "moved.json")
+    moved = exported_tree(window, folder, "moved.json")
     i, j = clicked["pixel"]
     assert moved["pixel"] == [i + 3, j + 1], (clicked["pixel"], moved["pixel"])
     assert moved["rays"], "no rays"
     key("n", "h", "2", "f", "t")  # a ray, its object, from the side, fitted, in the dark
     key("alt+Left")
-    back = exported_tree(folder, "back.json")
+    back = exported_tree(window, folder, "back.json")
     assert back["pixel"] != moved["pixel"], back["pixel"]
     key("ctrl+q")
 
