@@ -10,6 +10,7 @@
 #include "state/commands.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/marked_texts.h"
 #include "state/numbers.h"
 #include "state/thing_details.h"
 #include "tree/explain.h"
@@ -131,7 +132,7 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     connect(this, &QTextBrowser::anchorClicked, this, &DetailsPane::follow);
     connect(this, qOverload<const QUrl&>(&QTextBrowser::highlighted), this, &DetailsPane::hint);
     state_.observe([this](const Changes& changes) {
-        if (changes.selection || changes.tree || changes.look) {
+        if (changes.selection || changes.tree || changes.look || changes.playback) {
             show_selection();
         }
         if (changes.request == Request::copy_number) {
@@ -165,14 +166,18 @@ void DetailsPane::show_selection() {
 
 template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
     const TreeRay<double>& ray = *state_.selected();
-    writer.heading(title_of(ray), palette_of(state_.look().theme)[look_of(ray)]);
+    writer.heading(marked_title_of(*state_.tree(), ray.id),
+                   palette_of(state_.look().theme)[look_of(ray)]);
     writer.equation(ray);
-    for (const DetailSection& section : details_of(*state_.tree(), ray.id)) {
+    const PixelTree& tree = *state_.tree();
+    for (const DetailSection& section : known_details(tree, ray.id, state_.playback())) {
         writer.section(section);
     }
-    const Derivation derivation = derive(state_.document()->world(), state_.tree()->tree, ray.id);
-    for (const DetailSection& section : derivation_details(derivation)) {
-        writer.section(section);
+    if (can_derive(tree, ray.id, state_.playback())) {
+        const Derivation derivation = derive(state_.document()->world(), tree.tree, ray.id);
+        for (const DetailSection& section : derivation_details(derivation)) {
+            writer.section(section);
+        }
     }
 }
 
@@ -200,6 +205,11 @@ void DetailsPane::hint(const QUrl& link) {
 }
 
 void DetailsPane::copy_number() {
+    const QUrl come_to(textCursor().hasSelection() ? textCursor().charFormat().anchorHref()
+                                                   : QString());
+    if (come_to.scheme() == QStringLiteral("n") && come_to.path().toUInt() < numbers_.size()) {
+        number_ = numbers_[come_to.path().toUInt()];
+    }
     if (!number_) {
         state_.say("No number is chosen: point at one in the details, or go to it with Tab.");
         return;

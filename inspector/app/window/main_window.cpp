@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -20,6 +21,7 @@
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/exporter.h"
+#include "window/files.h"
 #include "window/filter_pane.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
@@ -28,6 +30,7 @@
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
+#include "window/side_dock.h"
 #include "window/theme.h"
 
 namespace raytree::inspector {
@@ -44,6 +47,9 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
     add_lesson_dock();
+    side_ = new SideDock(
+        state_, [this](const InputError& error) { report(error); }, this);
+    addDockWidget(Qt::RightDockWidgetArea, side_);
 
     pixel_ = new QLabel;
     counts_ = new QLabel;
@@ -58,6 +64,10 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->give_keys_to(picture_);
     actions_->give_keys_to(scene_);
+    files_ = new Files(
+        state_, this, [this](const QString& title) { return ask_file(title); },
+        [this](const InputError& error) { report(error); });
+    actions_->leave_to(*files_);
     new Exporter(state_, this, scene_);
     tracing_.setInterval(30);
     connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
@@ -224,7 +234,12 @@ void MainWindow::obey(const Changes& changes) {
                                           ? QStringLiteral("Selected object")
                                           : QStringLiteral("Selected light"));
     }
-    if (changes.request == Request::cheat_sheet) {
+    if (changes.values || changes.document) {
+        setWindowModified(state_.edits().unsaved());
+    }
+    if (changes.request == Request::save_scene_as) {
+        actions_->run(*find_command("file.save_as"), {});
+    } else if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);
     } else if (changes.request == Request::quit) {
         close();
@@ -235,7 +250,7 @@ void MainWindow::show_status() {
     const Document& document = *state_.document();
     const std::string& name = document.scene().name;
     setWindowTitle(qt(name.empty() ? document.file().filename().string() : name) +
-                   QStringLiteral(" — raytree inspector"));
+                   QStringLiteral("[*] — raytree inspector"));
     if (state_.tree()) {
         pixel_->setText(qt(pixel_text(state_.tree()->tree)));
         counts_->setText(qt(counts_text(state_.tree()->tree)));
@@ -287,6 +302,8 @@ void MainWindow::report(const InputError& error) {
 void MainWindow::open(const QString& file) {
     actions_->run(*find_command("file.open"), file.toStdString());
 }
+
+void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(files_->may_leave()); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();
