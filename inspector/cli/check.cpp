@@ -1,14 +1,10 @@
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
 
 #include "check/check.h"
 #include "check/conventions.h"
-#include "check/report.h"
+#include "check_run.h"
 #include "command.h"
 #include "formats/output_file.h"
 #include "formats/tree_json.h"
@@ -19,58 +15,36 @@
 namespace raytree::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr const char* examples =
     "Examples:\n"
     "  raytree check tree.json --scene scene.json              is the tree right?\n"
-    "  raytree check class/ --scene scene.json --as csv        a row for each of a folder's\n"
+    "  raytree check class.zip --scene scene.json --as csv     a row for each of a class's\n"
     "  raytree check tree.json --reference truth.json          against a tree with its scene\n"
-    "                                                          inside (trace --embed-scene)";
+    "                                                          inside (trace --embed-scene)\n"
+    "  raytree check --merge a.json b.json -o all.json         one report of several";
 
 constexpr std::array<std::string_view, 5> format_words = {"text", "json", "gradescope", "junit",
                                                           "csv"};
 
 struct Arguments {
-    std::vector<std::string> submissions;
+    CheckRun run;
     SceneArguments scene;
     std::string reference;
-    std::string output = "-";
-    std::size_t as = 0;
-    check::CheckOptions options;
+    std::vector<std::string> other_scenes;
+    bool merge = false;
 };
 
-/// The files meant: those of a folder are all its .json, in the order of their names.
-std::vector<fs::path> files_of(const std::vector<std::string>& named) {
-    std::vector<fs::path> files;
-    for (const std::string& name : named) {
-        std::error_code error;
-        if (!fs::is_directory(name, error)) {
-            files.emplace_back(name);
-            continue;
-        }
-        std::vector<fs::path> inside;
-        for (fs::recursive_directory_iterator entry(name, error), end; entry != end && !error;
-             entry.increment(error)) {
-            if (extension_of(entry->path().string()) == "json" && !entry->is_directory(error)) {
-                inside.push_back(entry->path());
-            }
-        }
-        std::ranges::sort(inside);
-        if (inside.empty()) {
-            throw InputError(name, "", "has no .json files in it");
-        }
-        files.insert(files.end(), inside.begin(), inside.end());
-    }
-    return files;
-}
-
-Scene scene_to_judge_by(const Arguments& arguments) {
+/// Leaves the scene in the run.
+void load_scene_to_judge_by(Arguments& arguments) {
+    CheckRun& run = arguments.run;
     if (arguments.scene.file.empty() == arguments.reference.empty()) {
         throw Misuse("give either --scene SCENE or --reference TREE (see raytree check --help)");
     }
     if (!arguments.scene.file.empty()) {
-        return arguments.scene.load().scene;
+        LoadedScene loaded = arguments.scene.load();
+        run.options.course_text = loaded.format == SceneFormat::course_text;
+        run.scene = std::move(loaded.scene);
+        return;
     }
     ReadTree read = read_tree_json(read_input(arguments.reference), arguments.reference);
     if (!read.scene) {
@@ -78,46 +52,32 @@ Scene scene_to_judge_by(const Arguments& arguments) {
                          "is missing: a reference needs its scene inside, as trace --embed-scene "
                          "writes it; or give --scene");
     }
-    return *std::move(read.scene);
+    run.scene = *std::move(read.scene);
 }
 
-std::string written(const std::vector<check::Report>& reports, std::size_t as) {
-    switch (as) {
-        case 1:
-            return write_report_json(reports);
-        case 2:
-            return write_report_gradescope(reports);
-        case 3:
-            return write_report_junit(reports);
-        case 4:
-            return write_report_csv(reports);
-        default:
-            return write_report_text(reports);
+int check(Arguments& arguments) {
+    CheckRun& run = arguments.run;
+    run.threads = arguments.scene.threads;
+    expect_writable(run.output, arguments.scene.file);
+    if (arguments.merge) {
+        const bool judges = !arguments.scene.file.empty() || !arguments.reference.empty() ||
+                            run.rubric || run.options.profile;
+        if (judges) {
+            throw Misuse("--merge joins finished reports: it takes no scene, profile or rubric");
+        }
+        return merge_reports(run);
     }
-}
-
-int check_all(const Arguments& arguments) {
-    expect_writable(arguments.output, arguments.scene.file);
-    if (arguments.options.profile) {
-        check::profile_named(*arguments.options.profile);
+    if (run.options.profile) {
+        check::profile_named(*run.options.profile);
     }
-    const Scene scene = scene_to_judge_by(arguments);
-    const std::vector<fs::path> files = files_of(arguments.submissions);
-    const check::Checker checker(scene, arguments.options);
-    std::vector<check::Report> reports(files.size());
-    const int threads = arguments.scene.threads;
-    const tbb::global_control limit(
-        tbb::global_control::max_allowed_parallelism,
-        threads > 0
-            ? static_cast<std::size_t>(threads)
-            : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    tbb::parallel_for(std::size_t{0}, files.size(),
-                      [&](std::size_t k) { reports[k] = checker.check_file(files[k]); });
-    write_output(arguments.output, written(reports, arguments.as));
-    const bool all_pass = std::ranges::all_of(reports, [](const check::Report& report) {
-        return report.verdict == check::Verdict::pass;
-    });
-    return all_pass ? done : found_wrong;
+    load_scene_to_judge_by(arguments);
+    for (const std::string& file : arguments.other_scenes) {
+        run.other_scenes.push_back(raytree::load_scene(file).scene);
+    }
+    for (std::size_t k = 0; k < run.other_scenes.size(); ++k) {
+        run.options.suggested_scenes.push_back({arguments.other_scenes[k], &run.other_scenes[k]});
+    }
+    return check_submissions(run);
 }
 
 Given fields_named(const std::string& text) {
@@ -131,22 +91,47 @@ Given fields_named(const std::string& text) {
 }
 
 void add_judging(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
+    check::CheckOptions& options = arguments->run.options;
     add_value(app, "--reference", "TREE", "a tree with its scene inside, instead of --scene",
               [arguments](const std::string& text) { arguments->reference = text; });
     add_value(app, "--rtol", "R", "relative tolerance (default: 1e-5)",
-              [arguments](const std::string& text) {
+              [&options](const std::string& text) {
                   const auto rtol = real_number(text);
                   if (!rtol || !(*rtol > 0) || *rtol >= 1) {
                       throw wrong_value("--rtol", text, "a number over 0 and under 1");
                   }
-                  arguments->options.rtol = *rtol;
+                  options.rtol = *rtol;
               });
-    add_value(
-        app, "--require", "FIELDS", "what every ray must give, such as direction,t,intensity",
-        [arguments](const std::string& text) { arguments->options.required = fields_named(text); });
+    add_value(app, "--require", "FIELDS", "what every ray must give, such as direction,t,intensity",
+              [&options](const std::string& text) { options.required = fields_named(text); });
     add_value(app, "--profile", "NAME",
               "the course's conventions (default: those that fit\nbest): lecture, ucla, ...",
-              [arguments](const std::string& text) { arguments->options.profile = text; });
+              [&options](const std::string& text) { options.profile = text; });
+    app.add_flag("--suggest-pixels", options.suggest_pixels,
+                 "where several mistakes fit: pixels that would tell\nwhich it is");
+    add_value(app, "--suggest-from", "SCENE", "another scene to look for such pixels in",
+              [arguments](const std::string& text) {
+                  arguments->run.options.suggest_pixels = true;
+                  arguments->other_scenes.push_back(text);
+              })
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_value(app, "--rubric", "FILE", "points for quantities, levels and kinds of rays",
+              [arguments](const std::string& text) {
+                  arguments->run.rubric = check::read_rubric(read_input(text), text);
+              });
+}
+
+void add_reporting(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
+    CheckRun& run = arguments->run;
+    add_value(app, "-o,--output", "FILE", "where to write; - is standard output, the default",
+              [&run](const std::string& text) { run.output = text; });
+    add_value(app, "--as", "text|json|gradescope|junit|csv", "what to write (default: text)",
+              [&run](const std::string& text) {
+                  run.as = static_cast<check::ReportFormat>(one_of("--as", text, format_words));
+              });
+    app.add_flag("--anonymous", run.anonymous, "numbers instead of the files' names");
+    app.add_flag("--merge", arguments->merge,
+                 "the files are reports (--as json) of other runs;\njoin them into one");
 }
 
 }  // namespace
@@ -156,20 +141,16 @@ Command check_command(CLI::App& program) {
     CLI::App* const app =
         program.add_subcommand("check", "Is a ray tree from another tracer right?");
     app->footer(examples);
-    app->add_option("SUBMISSION", arguments->submissions, "ray trees, or folders of them")
+    app->add_option("SUBMISSION", arguments->run.submissions,
+                    "ray trees; folders or archives (zip, tar, tar.gz) of them")
         ->option_text(" ")
         ->required();
     add_value(*app, "--scene", "SCENE", "the scene that the trees are of",
               [arguments](const std::string& text) { arguments->scene.file = text; });
     add_judging(*app, arguments);
-    add_value(*app, "-o,--output", "FILE", "where to write; - is standard output, the default",
-              [arguments](const std::string& text) { arguments->output = text; });
-    add_value(*app, "--as", "text|json|gradescope|junit|csv", "what to write (default: text)",
-              [arguments](const std::string& text) {
-                  arguments->as = one_of("--as", text, format_words);
-              });
+    add_reporting(*app, arguments);
     add_scene_options(*app, arguments->scene);
-    return {app, [arguments] { return check_all(*arguments); }};
+    return {app, [arguments] { return check(*arguments); }};
 }
 
 }  // namespace raytree::cli

@@ -20,7 +20,10 @@ Command trace_command(CLI::App& program);
 Command render_command(CLI::App& program);
 Command info_command(CLI::App& program);
 Command check_command(CLI::App& program);
+Command assign_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command lesson_command(CLI::App& program);
+Command study_command(CLI::App& program);
+Command bench_command(CLI::App& program);
 
 }  // namespace raytree::cli

@@ -513,7 +513,7 @@ const MistakeRow recursion_rows[] = {
              return Spectrum(std::min(1.0, sum.r), std::min(1.0, sum.g), std::min(1.0, sum.b));
          };
      }},
-    {"out.gamma", "A gamma curve is applied at every level.", recursion,
+    {"out.gamma_each_level", "A gamma curve is applied at every level.", recursion,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
              const Spectrum sum = model::combine(place, step, terms);
@@ -521,7 +521,7 @@ const MistakeRow recursion_rows[] = {
              return Spectrum(bent(sum.r), bent(sum.g), bent(sum.b));
          };
      }},
-    {"out.bgr", "Red and blue are exchanged.", recursion,
+    {"out.bgr_each_level", "Red and blue are exchanged.", recursion,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
              const Spectrum sum = model::combine(place, step, terms);

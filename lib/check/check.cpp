@@ -4,7 +4,6 @@
 #include <exception>
 #include <new>
 
-#include "check/conventions.h"
 #include "check/diagnose.h"
 #include "check/forge.h"
 #include "scene/input_error.h"
@@ -13,6 +12,9 @@ namespace raytree::check {
 namespace {
 
 constexpr std::size_t most_truths = 64;  // kept for the next submission of the same pixel
+
+constexpr std::size_t rays_for_profiles = 2000;  // enough to tell courses apart
+constexpr std::size_t few_causes = 20;           // that rounding alone may make
 
 constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
 
@@ -29,9 +31,38 @@ bool near(const Point& a, const Point& b) {
     return largest_component(a - b) <= 1e-4 * std::max(1.0, largest_component(b));
 }
 
+bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * std::max(1.0, std::abs(b)); }
+
+bool same(const ImagePlane& a, const ImagePlane& b) {
+    return near(a.left, b.left) && near(a.right, b.right) && near(a.bottom, b.bottom) &&
+           near(a.top, b.top);
+}
+
+/// The window on the plane at distance 1, whichever way the camera gives it.
+ImagePlane window_of(const Camera& camera) {
+    if (const auto* plane = std::get_if<ImagePlane>(&camera.window)) {
+        return *plane;
+    }
+    const double x =
+        std::tan(std::get<HorizontalFov>(camera.window).degrees * Real<double>::pi / 360);
+    const double y = x * camera.height / camera.width;
+    return {-x, x, -y, y};
+}
+
+/// Whether both cameras send the same rays: `up` may have another length, or lean.
 bool same(const Camera& a, const Camera& b) {
-    return near(a.eye, b.eye) && near(a.look_at, b.look_at) && a.width == b.width &&
-           a.height == b.height && a.window.index() == b.window.index();
+    const auto right = [](const Camera& camera) {
+        return model::unit(outer(camera.look_at - camera.eye, camera.up));
+    };
+    return near(a.eye, b.eye) && a.width == b.width && a.height == b.height &&
+           near(model::unit(a.look_at - a.eye), model::unit(b.look_at - b.eye)) &&
+           near(right(a), right(b)) && near(a.near, b.near) && same(window_of(a), window_of(b));
+}
+
+/// How colours are rounded to 8 bits is seen in pictures alone.
+Choices seen_in_trees(Choices choices) {
+    std::erase_if(choices, [](const Convention* choice) { return choice->axis == "quantise"; });
+    return choices;
 }
 
 /// A setting that the submission states, other than the scene's. What it leaves out is read as the
@@ -81,10 +112,11 @@ std::size_t Report::causes() const {
 }
 
 Checker::Checker(const Scene& scene, CheckOptions options)
-    : place_(scene), names_(place_), options_(std::move(options)) {}
+    : scene_(scene), books_(scene, options.course_text), options_(std::move(options)) {}
 
-Checker::Truth Checker::truth_at(const Laws& laws, const std::string& profile, int i, int j) const {
-    const std::string key = profile + ' ' + std::to_string(i) + ',' + std::to_string(j);
+Checker::Truth Checker::truth_at(const Rulebook& book, int i, int j) const {
+    const std::string key =
+        text_of(book.choices) + ' ' + std::to_string(i) + ',' + std::to_string(j);
     {
         const std::lock_guard lock(mutex_);
         const auto found = truths_.find(key);
@@ -92,7 +124,8 @@ Checker::Truth Checker::truth_at(const Laws& laws, const std::string& profile, i
             return found->second;
         }
     }
-    const auto truth = std::make_shared<const RayTree<double>>(forge_tree(place_, laws, i, j));
+    const auto truth =
+        std::make_shared<const RayTree<double>>(forge_tree(book.place, book.laws, i, j));
     const std::lock_guard lock(mutex_);
     if (truths_.size() >= most_truths) {
         truths_.clear();
@@ -100,9 +133,64 @@ Checker::Truth Checker::truth_at(const Laws& laws, const std::string& profile, i
     return truths_.emplace(key, truth).first->second;
 }
 
+/// The profile with the fewest causes of differences; the first of equals.
+const Profile& Checker::best_profile(const Submission& submission) const {
+    const Profile* best = &profiles().front();
+    ReplayOptions options;
+    options.rtol = options_.rtol;
+    options.most_rays = rays_for_profiles;
+    std::size_t fewest = ~std::size_t{0};
+    for (const Profile& profile : profiles()) {
+        options.enough = fewest;
+        const Rulebook& book = books_.of(profile);
+        Replay replay(book.place, book.names, book.laws, submission, options);
+        replay.run();
+        if (replay.causes() < fewest) {
+            best = &profile;
+            fewest = replay.causes();
+        }
+        if (fewest == 0) {
+            break;
+        }
+    }
+    return *best;
+}
+
+bool Checker::explains_all(const Submission& submission, const Choices& choices) const {
+    const Rulebook& book = books_.of(choices);
+    ReplayOptions options;
+    options.rtol = options_.rtol;
+    options.most_rays = rays_for_profiles;
+    const auto causes = [&](std::size_t enough) {
+        options.enough = enough;
+        Replay replay(book.place, book.names, book.laws, submission, options);
+        replay.run();
+        return replay.causes();
+    };
+    const std::size_t left = causes(few_causes);
+    if (left == 0 || left >= few_causes) {
+        return left == 0;
+    }
+    const Slacks slacks = slacks_of(book.place, book.names, book.laws, submission, options);
+    options.slacks = &slacks;
+    return causes(1) == 0;
+}
+
+/// What other courses do that would make all of it right: one convention, or a course's.
+void Checker::look_for_conventions(const Submission& submission, const Choices& base,
+                                   Report& report) const {
+    for (const Choices& choices : books_.alternatives(base)) {
+        const Choices differing = seen_in_trees(books_.differences(choices, base));
+        if (!differing.empty() && explains_all(submission, choices)) {
+            report.conventions = differing;
+            return;
+        }
+    }
+}
+
 /// False where there is nothing to compare with.
 bool Checker::check_whole(const Submission& submission, Report& report) const {
-    const Camera& camera = place_.scene().camera;
+    const Camera& camera = scene_.camera;
     const RayTree<double>& tree = submission.tree;
     if (tree.pixel_i >= camera.width || tree.pixel_j >= camera.height) {
         report.findings.push_back(of_the_whole(
@@ -116,7 +204,7 @@ bool Checker::check_whole(const Submission& submission, Report& report) const {
             of_the_whole("camera", "its camera is not that of the scene; is it another scene?"));
     }
     const std::string setting =
-        submission.has_settings ? other_setting(tree.settings, place_.scene().settings) : "";
+        submission.has_settings ? other_setting(tree.settings, scene_.settings) : "";
     if (!setting.empty()) {
         report.findings.push_back(
             of_the_whole("settings", "its " + setting + " is not that of the scene"));
@@ -152,9 +240,8 @@ void Checker::check_fields(const Submission& submission, Report& report) const {
     }
 }
 
-void Checker::judge(const Submission& submission, const Laws& laws, Report& report) const {
-    const Truth truth =
-        truth_at(laws, report.profile, submission.tree.pixel_i, submission.tree.pixel_j);
+void Checker::judge(const Submission& submission, const Rulebook& book, Report& report) const {
+    const Truth truth = truth_at(book, submission.tree.pixel_i, submission.tree.pixel_j);
     ReplayOptions options;
     options.rtol = options_.rtol;
     options.truth = truth.get();
@@ -168,12 +255,15 @@ void Checker::judge(const Submission& submission, const Laws& laws, Report& repo
     Slacks slacks;
     std::optional<Replay> judged;
     const auto replay = [&] {
-        judged.emplace(place_, names_, laws, submission, options);
+        report.tally = {};
+        options.tally = &report.tally;
+        judged.emplace(book.place, book.names, book.laws, submission, options);
         judged->run();
+        options.tally = nullptr;
     };
     replay();
     if (judged->causes() > 0) {
-        slacks = slacks_of(place_, names_, laws, submission, options);
+        slacks = slacks_of(book.place, book.names, book.laws, submission, options);
         options.slacks = &slacks;
         replay();
     }
@@ -185,8 +275,21 @@ void Checker::judge(const Submission& submission, const Laws& laws, Report& repo
         }
         report.findings.push_back(std::move(finding));
     }
+    if (judged->causes() > 0 && report.profile_asked_for) {
+        look_for_conventions(submission, book.choices, report);
+    }
     if (judged->causes() > 0 && options_.name_mistakes) {
-        diagnose(place_, names_, laws, submission, options, report);
+        diagnose(book.place, book.names, book.laws, submission, options, report);
+    }
+    for (const NamedMistake& mistake : report.mistakes) {
+        if (options_.suggest_pixels && !mistake.ties.empty()) {
+            std::vector<std::string> candidates = mistake.ties;
+            candidates.insert(candidates.begin(), mistake.id);
+            for (std::string& text :
+                 suggestions(book.place, book.laws, candidates, options_.suggested_scenes)) {
+                report.telling_pixels.push_back(std::move(text));
+            }
+        }
     }
 }
 
@@ -198,14 +301,20 @@ Report Checker::check(const Submission& submission) const {
     report.remarks = submission.remarks;
     report.precision = submission.precision.name;
     report.verdict = Verdict::fail;
-    const Profile& profile = options_.profile ? profile_named(*options_.profile)
-                                              : best_profile(place_, names_, submission);
+    report.profile_asked_for = options_.profile.has_value();
+    const Profile& profile =
+        options_.profile ? profile_named(*options_.profile) : best_profile(submission);
     report.profile = profile.name;
     if (!check_whole(submission, report)) {
         return report;
     }
     check_fields(submission, report);
-    judge(submission, laws_of(profile), report);
+    const Rulebook& book = books_.of(profile);
+    if (!report.profile_asked_for) {
+        report.conventions =
+            seen_in_trees(books_.differences(book.choices, books_.lecture().choices));
+    }
+    judge(submission, book, report);
     if (report.compared == 0) {
         report.findings.push_back(
             of_the_whole("rays", "it gives no quantity that could be compared"));
@@ -220,34 +329,35 @@ Report Checker::check(const Submission& submission) const {
     return report;
 }
 
-Report Checker::check_text(const std::string& text, const std::string& file) const {
+Report refused(const std::string& name, const std::string& why) {
     Report report;
-    report.file = file;
-    try {
-        return check(parse_submission(text, file));
-    } catch (const InputError& error) {
-        for (const Mistake& mistake : error.mistakes()) {
-            report.findings.push_back(of_the_whole(mistake.place, mistake.text));
-        }
-    } catch (const std::bad_alloc&) {
-        report.findings.push_back(of_the_whole("", "needs more memory than there is"));
-    } catch (const std::exception& error) {
-        report.findings.push_back(of_the_whole("", error.what()));
-    }
-    report.verdict = Verdict::unreadable;
+    report.file = name;
+    report.findings.push_back(of_the_whole("", why));
     return report;
 }
 
-Report Checker::check_file(const std::filesystem::path& file) const {
+Report Checker::check_text(const std::string& text, const std::string& name) const {
+    Report report;
+    report.file = name;
     try {
-        return check_text(load_submission_text(file), file.string());
+        return check(parse_submission(text, name));
     } catch (const InputError& error) {
-        Report report;
-        report.file = file.string();
         for (const Mistake& mistake : error.mistakes()) {
             report.findings.push_back(of_the_whole(mistake.place, mistake.text));
         }
         return report;
+    } catch (const std::bad_alloc&) {
+        return refused(name, "needs more memory than there is");
+    } catch (const std::exception& error) {
+        return refused(name, error.what());
+    }
+}
+
+Report Checker::check_file(const std::filesystem::path& file, const std::string& name) const {
+    try {
+        return check_text(load_submission_text(file), name);
+    } catch (const InputError& error) {
+        return refused(name, error.mistakes().front().text);
     }
 }
 

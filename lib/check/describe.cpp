@@ -117,6 +117,28 @@ std::string sentence(const Finding& finding, const Report& report) {
            value_text(finding.found) + ", must be " + value_text(finding.expected);
 }
 
+std::string rationale(const Finding& finding) {
+    switch (finding.problem) {
+        case Problem::whole:
+            return "It concerns the submission as a whole.";
+        case Problem::missing:
+            return "A ray is due here by the tree's own numbers: " +
+                   std::string(finding.kind == RayKind::shadow
+                                   ? "the light is in front of a surface that it can light."
+                                   : "the coefficient is not 0 and nothing ends the branch.");
+        case Problem::extra:
+            return "No ray is due here: " + harmless(finding.reason) + ".";
+        default:
+            break;
+    }
+    if (finding.follows_from) {
+        return "It follows from its own inputs, which are wrong by an earlier difference.";
+    }
+    return "It does not follow from the ray's own inputs by " +
+           std::string(text_of(finding.field).formula) +
+           " (lecture: " + std::string(text_of(finding.field).topic) + ").";
+}
+
 Hints hints(const Finding& finding, const Report& report) {
     Hints hints;
     if (finding.problem == Problem::whole) {

@@ -29,6 +29,8 @@ std::string value_text(const Value& value);
 std::string ray_text(const Finding& finding, const Report& report);
 /// One sentence, with the numbers.
 std::string sentence(const Finding& finding, const Report& report);
+/// Why it is held against the submission.
+std::string rationale(const Finding& finding);
 Hints hints(const Finding& finding, const Report& report);
 std::string_view word_of(Verdict verdict);
 /// Without control characters, and of a length that fits into a report: submissions are hostile.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "check/catalogue.h"
+#include "check/lessons.h"
 
 namespace raytree::check {
 namespace {
@@ -168,6 +169,7 @@ NamedMistake named(const MistakeRow& row) {
     mistake.id = row.id;
     mistake.text = row.text;
     mistake.topic = row.topic;
+    mistake.lesson = lesson_of(row.id).name();
     return mistake;
 }
 

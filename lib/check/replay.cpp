@@ -85,8 +85,26 @@ void Replay::start_finding(Finding& finding, std::size_t ray) const {
     finding.light = of.shadow ? of.shadow->light : "";
 }
 
+void Replay::count(std::size_t ray, Field field) {
+    ++compared_;
+    if (options_.tally) {
+        const TreeRay<double>& of = submission_.tree.rays[ray];
+        ++options_.tally->counts[{field, of.kind, of.level}].compared;
+    }
+}
+
 Replay::Taint Replay::report(Finding finding) {
     causes_ += finding.follows_from ? 0 : 1;
+    if (options_.tally && !finding.follows_from) {
+        const Tally::Key key{finding.field, finding.kind, finding.level};
+        if (finding.problem == Problem::missing) {
+            ++options_.tally->missing[{Field::origin, key.kind, key.level}];
+        } else if (finding.problem == Problem::extra) {
+            ++options_.tally->extra[{Field::origin, key.kind, key.level}];
+        } else {
+            ++options_.tally->counts[key].wrong;
+        }
+    }
     findings_.push_back(std::move(finding));
     return static_cast<Taint>(findings_.size()) - 1;
 }
@@ -99,7 +117,7 @@ void Replay::see_numbers(At at, Field field, Numbers& value, double scale, Taint
     }
     const Numbers found = numbers_of(submission_.tree, at.ray, field);
     if (submission_.gives(at.ray, field) && found.size != 0 && finite(expected)) {
-        ++compared_;
+        count(at.ray, field);
         const double allowed = tolerance(at.ray, field, scale);
         double error = 0;
         const bool follows = agree(found, expected, allowed, error);
@@ -143,7 +161,7 @@ bool Replay::may_be(std::uint64_t key, std::int64_t word) const {
 
 /// Compares a decision. The caller goes on with the submission's.
 void Replay::decide(At at, Field field, const Word& expected, const Word& found, Taint& taint) {
-    ++compared_;
+    count(at.ray, field);
     if (expected.code == found.code || may_be(key_of(at.ray, field), found.code)) {
         return;
     }
@@ -175,7 +193,7 @@ bool Replay::set_off(At at, const Step& from, const Vec& direction, Vec& origin)
     if (!along_it(model::unit(from.normal)) && !along_it(direction)) {
         return false;
     }
-    ++compared_;
+    count(at.ray, Field::origin);
     origin = found;
     return true;
 }

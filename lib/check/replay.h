@@ -1,6 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <unordered_map>
 #include <vector>
@@ -19,6 +21,22 @@ struct Slack {
 };
 using Slacks = std::unordered_map<std::uint64_t, Slack>;
 
+/// How many quantities were compared and how many of them are wrong in themselves, by what they are
+/// and where.
+struct Tally {
+    struct Key {
+        Field field;
+        RayKind kind;
+        int level;
+        auto operator<=>(const Key&) const = default;
+    };
+    struct Count {
+        std::size_t compared = 0, wrong = 0;
+    };
+    std::map<Key, Count> counts;
+    std::map<Key, std::size_t> missing, extra;  ///< rays; the field says nothing
+};
+
 struct ReplayOptions {
     double rtol = 1e-5;
     const Slacks* slacks = nullptr;
@@ -27,7 +45,8 @@ struct ReplayOptions {
     std::size_t most_rays = ~std::size_t{0};
     double noise = 0;  ///< how far to move every number, in units of the submission's precision
     unsigned seed = 0;
-    bool logs = false;  ///< whether to remember what the laws gave
+    Tally* tally = nullptr;  ///< where to count what is compared
+    bool logs = false;       ///< whether to remember what the laws gave
 };
 
 /// Works through a submission ray by ray: each quantity is computed by the laws from the
@@ -102,6 +121,7 @@ class Replay {
     bool may_be(std::uint64_t key, std::int64_t word) const;
     Taint report(Finding finding);
     void start_finding(Finding& finding, std::size_t ray) const;
+    void count(std::size_t ray, Field field);
 
     std::size_t child(std::size_t parent, RayKind kind) const;
     std::size_t shadow_child(std::size_t parent, std::size_t light) const;

@@ -126,9 +126,10 @@ Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint ta
         const bool same = given.has_value() == blocked;
         const auto found = given ? names_.find(given->object) : std::nullopt;
         const bool stopped = given.has_value();
-        ++compared_;
-        if (!same &&
-            !may_be(key_of(at.ray, Field::blocked_by), found ? code(*found) : std::int64_t{-1})) {
+        if (same) {
+            count(at.ray, Field::blocked_by);
+        } else if (!may_be(key_of(at.ray, Field::blocked_by),
+                           found ? code(*found) : std::int64_t{-1})) {
             decide(at, Field::blocked_by,
                    {code(passage.blocker), blocked ? names_.of(passage.blocker) : ""},
                    {stopped ? -3 : -1, stopped ? given->object : ""}, taint);

@@ -1,13 +1,63 @@
 #pragma once
 
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "check/check.h"
+#include "check/rubric.h"
 
-/// Reports of many submissions, in the order given.
+/// Reports of submissions, as text and as data, one submission at a time: a class of any size is
+/// reported in little memory.
 namespace raytree::check {
+
+/// A finding as it is printed. Values are JSON.
+struct PrintedFinding {
+    std::string ray = "null", kind, quantity, expected = "null", found = "null";
+    double relative_error = 0;
+    std::optional<std::size_t> follows_from;
+    std::string text, rationale, where, what, formula;
+    bool of_the_whole = false;
+};
+
+struct PrintedConvention {
+    std::string axis, value, text, mistake;
+};
+
+/// All that any report says of one submission: what is written is made of this alone, and what a
+/// JSON report says can be read back into it.
+struct Printed {
+    std::string file, verdict, profile;
+    double score = 0;
+    std::size_t rays = 0, compared = 0;
+    std::string precision;
+    std::string compares = "quantities";  ///< or "pixels"
+    std::vector<PrintedFinding> findings;
+    std::vector<NamedMistake> mistakes;
+    std::vector<PrintedConvention> conventions;
+    bool profile_asked_for = false;
+    std::vector<std::string> remarks;
+    std::optional<Points> points;
+    std::vector<std::string> telling_pixels;  ///< "12,7 of scene.json: ..."
+
+    std::size_t causes() const;
+};
+
+Printed printed(const Report& report, const Rubric* rubric = nullptr);
+/// The submissions of a JSON report. Throws InputError for what is none.
+std::vector<Printed> read_report(const std::string& text, const std::filesystem::path& file);
+
+enum class ReportFormat { text, json, gradescope, junit, csv };
+
+/// What the head and the tail of a report need to know of each submission.
+struct Summary {
+    std::string file, verdict, mistake;
+    double score = 0, earned = 0, total = 0;
+};
+Summary summary_of(const Printed& of);
 
 /// The same likeliest mistake in several submissions.
 struct Group {
@@ -15,17 +65,25 @@ struct Group {
     std::vector<std::string> files;
 };
 /// The largest first, of equals by id.
-std::vector<Group> groups_of(const std::vector<Report>& reports);
+std::vector<Group> groups_of(const std::vector<Summary>& all);
 
-struct TextOptions {
-    bool details = true;             ///< findings and hints, not only a line for each
-    std::size_t most_findings = 12;  ///< of one submission
+/// A report is its head, its parts with the separator between them, and its tail.
+class ReportSheet {
+  public:
+    explicit ReportSheet(ReportFormat format, std::size_t most_findings = 12)
+        : format_(format), most_findings_(most_findings) {}
+
+    std::string part(const Printed& of) const;
+    std::string_view separator() const;
+    std::string head(const std::vector<Summary>& all) const;
+    std::string tail(const std::vector<Summary>& all) const;
+
+  private:
+    ReportFormat format_;
+    std::size_t most_findings_;
 };
-std::string write_report_text(const std::vector<Report>& reports, const TextOptions& options = {});
-std::string write_report_json(const std::vector<Report>& reports);
-std::string write_report_csv(const std::vector<Report>& reports);
-std::string write_report_junit(const std::vector<Report>& reports);
-/// Gradescope's results.json: of the one submission that an autograder is about.
-std::string write_report_gradescope(const std::vector<Report>& reports);
+
+/// A whole report.
+std::string write_report(const std::vector<Report>& reports, ReportFormat format);
 
 }  // namespace raytree::check

@@ -1,7 +1,6 @@
-#include <algorithm>
+#include "check/report_json.h"
 
 #include "check/describe.h"
-#include "check/report.h"
 #include "formats/json_text.h"
 
 namespace raytree::check {
@@ -9,60 +8,48 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-void write_value(JsonWriter& json, std::string_view key, const Value& value) {
-    json.key(key);
-    // A product of what a submission gives may be too large for a number.
-    const auto& x = value.numbers.x;
-    if (!isfinite(x[0]) || !isfinite(x[1]) || !isfinite(x[2])) {
-        json.value("too large");
-    } else if (!value.word.empty()) {
-        json.value(harmless(value.word));
-    } else if (value.numbers.size == 0) {
-        json.null();
-    } else if (value.numbers.size == 1) {
-        json.value(value.numbers.x[0]);
-    } else {
-        json.numbers(std::span<const double>(value.numbers.x.data(),
-                                             static_cast<std::size_t>(value.numbers.size)));
+void write_texts(JsonWriter& json, std::string_view key, const std::vector<std::string>& texts) {
+    json.key(key).begin_array(Layout::block);
+    for (const std::string& text : texts) {
+        json.value(text);
     }
+    json.end_array();
 }
 
-/// An id is a number or a string, as the submission has it as far as that can be told.
-void write_id(JsonWriter& json, const std::string& id) {
-    const bool number = !id.empty() && id.size() < 10 && (id == "0" || id.front() != '0') &&
-                        id.find_first_not_of("0123456789") == std::string::npos;
-    if (number) {
-        json.value(std::stoi(id));
-    } else {
-        json.value(harmless(id));
-    }
-}
-
-void write_finding(JsonWriter& json, const Finding& finding, const Report& report) {
+void write_finding(JsonWriter& json, const Printed& of, std::size_t place) {
+    const PrintedFinding& finding = of.findings[place];
     json.begin_object();
-    json.key("ray");
-    if (finding.problem == Problem::whole || finding.ray >= report.ids.size()) {
+    json.key("ray").raw(finding.ray);
+    json.key("kind");
+    if (finding.kind.empty()) {
         json.null();
-        json.key("kind").null();
     } else {
-        write_id(json, report.ids[finding.ray]);
-        json.member("kind", word_of(finding.kind));
+        json.value(finding.kind);
     }
-    json.member("quantity", quantity_of(finding));
-    write_value(json, "expected", finding.expected);
-    write_value(json, "found", finding.found);
-    json.member("relative_error", isfinite(finding.error) ? finding.error : 1.0);
+    json.member("quantity", finding.quantity);
+    json.key("expected").raw(finding.expected);
+    json.key("found").raw(finding.found);
+    json.member("relative_error", finding.relative_error);
     json.key("follows_from");
     if (finding.follows_from) {
         json.value(*finding.follows_from);
     } else {
         json.null();
     }
-    json.member("text", sentence(finding, report));
-    const Hints hint = hints(finding, report);
-    json.key("hints").begin_array();
-    json.value(hint.where).value(hint.quantity).value(hint.formula);
-    json.end_array().end_object();
+    json.key("followed_by").begin_array();
+    for (std::size_t k = place + 1; !finding.follows_from && k < of.findings.size(); ++k) {
+        if (of.findings[k].follows_from == place) {
+            json.value(k);
+        }
+    }
+    json.end_array();
+    json.member("text", finding.text);
+    json.member("rationale", finding.rationale);
+    json.key("hints").begin_object();
+    json.member("where", finding.where);
+    json.member("quantity", finding.what);
+    json.member("formula", finding.formula);
+    json.end_object().end_object();
 }
 
 void write_mistake(JsonWriter& json, const NamedMistake& mistake) {
@@ -77,81 +64,109 @@ void write_mistake(JsonWriter& json, const NamedMistake& mistake) {
     json.end_array();
     json.member("text", mistake.text);
     json.member("topic", mistake.topic);
+    json.member("lesson", mistake.lesson);
     json.end_object();
 }
 
-void write_submission(JsonWriter& json, const Report& report) {
-    json.begin_object(Layout::block);
-    json.member("file", harmless(report.file));
-    json.member("verdict", word_of(report.verdict));
-    json.member("profile", report.profile);
-    json.member("score", report.score);
-    json.member("rays", report.rays);
-    json.member("compared", report.compared);
-    json.member("precision", report.precision);
-    json.key("findings").begin_array(Layout::block);
-    for (const Finding& finding : report.findings) {
-        write_finding(json, finding, report);
+void write_conventions(JsonWriter& json, const Printed& of) {
+    json.key("conventions").begin_array(Layout::block);
+    for (const PrintedConvention& convention : of.conventions) {
+        json.begin_object();
+        json.member("axis", convention.axis);
+        json.member("value", convention.value);
+        json.member("text", convention.text);
+        json.member("mistake_elsewhere", convention.mistake);
+        json.end_object();
     }
     json.end_array();
-    json.key("mistakes").begin_array(Layout::block);
-    for (const NamedMistake& mistake : report.mistakes) {
-        write_mistake(json, mistake);
-    }
-    json.end_array();
-    json.key("remarks").begin_array(Layout::block);
-    for (const std::string& remark : report.remarks) {
-        json.value(harmless(remark));
+}
+
+void write_points(JsonWriter& json, const Points& points) {
+    json.key("points").begin_object(Layout::block);
+    json.member("earned", points.earned);
+    json.member("total", points.total);
+    json.key("rows").begin_array(Layout::block);
+    for (const PointsRow& row : points.rows) {
+        json.begin_object();
+        json.member("quantity", row.quantity);
+        json.member("kind", row.kind);
+        json.member("level", row.level);
+        json.member("compared", row.compared);
+        json.member("right", row.right);
+        json.member("points", row.points);
+        json.member("of", row.of);
+        json.end_object();
     }
     json.end_array().end_object();
 }
 
 }  // namespace
 
-std::string write_report_json(const std::vector<Report>& reports) {
+std::string json_of(const Printed& of) {
     JsonWriter json;
     json.begin_object(Layout::block);
-    json.member("format", "raytree-report/1.0");
-    json.key("submissions").begin_array(Layout::block);
-    for (const Report& report : reports) {
-        write_submission(json, report);
+    json.member("file", of.file);
+    json.member("verdict", of.verdict);
+    json.member("profile", of.profile);
+    json.member("profile_asked_for", of.profile_asked_for);
+    json.member("score", of.score);
+    json.member("rays", of.rays);
+    json.member("compared", of.compared);
+    json.member("compares", of.compares);
+    json.member("precision", of.precision);
+    if (of.points) {
+        write_points(json, *of.points);
+    }
+    json.key("findings").begin_array(Layout::block);
+    for (std::size_t k = 0; k < of.findings.size(); ++k) {
+        write_finding(json, of, k);
     }
     json.end_array();
-    json.key("groups").begin_array(Layout::block);
-    for (const Group& group : groups_of(reports)) {
+    json.key("mistakes").begin_array(Layout::block);
+    for (const NamedMistake& mistake : of.mistakes) {
+        write_mistake(json, mistake);
+    }
+    json.end_array();
+    write_conventions(json, of);
+    write_texts(json, "telling_pixels", of.telling_pixels);
+    write_texts(json, "remarks", of.remarks);
+    json.end_object();
+    std::string text = json.take();
+    text.pop_back();  // the line feed
+    return text;
+}
+
+std::string json_of(const std::vector<Group>& groups) {
+    JsonWriter json;
+    json.begin_array(Layout::block);
+    for (const Group& group : groups) {
         json.begin_object();
         json.member("id", group.id);
         json.key("files").begin_array();
         for (const std::string& file : group.files) {
-            json.value(harmless(file));
+            json.value(file);
         }
         json.end_array().end_object();
     }
-    json.end_array().end_object();
-    return json.take();
+    json.end_array();
+    std::string text = json.take();
+    text.pop_back();
+    return text;
 }
 
-std::string write_report_gradescope(const std::vector<Report>& reports) {
+std::string gradescope_of(const Printed& of, const std::string& output) {
     JsonWriter json;
     json.begin_object(Layout::block);
-    double score = 0;
-    for (const Report& report : reports) {
-        score += report.score;
-    }
-    json.member("score", reports.empty() ? 0.0 : 100 * score / static_cast<double>(reports.size()));
-    json.key("tests").begin_array(Layout::block);
-    for (const Report& report : reports) {
-        json.begin_object();
-        json.member("name", harmless(report.file));
-        json.member("score", report.score);
-        json.member("max_score", 1.0);
-        json.member("status", report.verdict == Verdict::pass ? "passed" : "failed");
-        json.member("output_format", "text");
-        json.member("output", write_report_text({report}));
-        json.end_object();
-    }
-    json.end_array().end_object();
-    return json.take();
+    json.member("name", of.file);
+    json.member("score", of.points ? of.points->earned : of.score);
+    json.member("max_score", of.points ? of.points->total : 1.0);
+    json.member("status", of.verdict == "pass" ? "passed" : "failed");
+    json.member("output_format", "text");
+    json.member("output", output);
+    json.end_object();
+    std::string text = json.take();
+    text.pop_back();
+    return text;
 }
 
 }  // namespace raytree::check

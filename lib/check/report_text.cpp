@@ -1,9 +1,8 @@
+#include "check/report_text.h"
+
 #include <algorithm>
 #include <cstdio>
-#include <map>
 
-#include "check/describe.h"
-#include "check/report.h"
 #include "formats/xml_text.h"
 
 namespace raytree::check {
@@ -11,59 +10,93 @@ namespace {
 
 std::string percent(double share) {
     char text[20];
-    std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+    // Not all: "100 %" is for what is.
+    std::snprintf(text, sizeof text, "%.3g %%", share < 1 ? std::min(100 * share, 99.9) : 100.0);
     return text;
 }
 
-std::string headline(const Report& report) {
-    std::string line = harmless(report.file) + ": " + std::string(word_of(report.verdict));
-    if (report.verdict == Verdict::unreadable) {
+std::string number(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", x);
+    return text;
+}
+
+std::string headline(const Printed& of) {
+    std::string line = of.file + ": " + of.verdict;
+    if (of.verdict == "unreadable") {
         return line;
     }
-    line += ", " + std::to_string(report.rays) + (report.rays == 1 ? " ray, " : " rays, ") +
-            std::to_string(report.compared) + " quantities compared";
-    if (report.verdict == Verdict::fail) {
-        line += ", " + percent(report.score) + " right";
+    if (of.compares != "pixels") {
+        line += ", " + std::to_string(of.rays) + (of.rays == 1 ? " ray" : " rays");
     }
-    return line + ", by the profile " + report.profile +
-           (report.precision == "double" ? "" : ", numbers are " + report.precision);
+    line += ", " + std::to_string(of.compared) + ' ' + of.compares + " compared";
+    if (of.verdict == "fail") {
+        line += ", " + percent(of.score) + " right";
+    }
+    if (of.points) {
+        line += ", " + number(of.points->earned) + " of " + number(of.points->total) + " points";
+    }
+    return line + ", by the profile " + of.profile +
+           (of.precision == "double" ? "" : ", numbers are " + of.precision);
+}
+
+std::string conventions_text(const Printed& of) {
+    if (of.conventions.empty()) {
+        return "";
+    }
+    std::string text = of.profile_asked_for
+                           ? "  Nothing else is wrong than conventions of other courses:\n"
+                           : "  The profile " + of.profile + " differs from the lecture:\n";
+    for (const PrintedConvention& convention : of.conventions) {
+        text += "     " + convention.axis + '=' + convention.value + ": " + convention.text;
+        text += convention.mistake.empty()
+                    ? "\n"
+                    : " (where it is not meant, the mistake " + convention.mistake + ")\n";
+    }
+    return text;
 }
 
 /// Causes with all that hangs on them counted, not listed.
-std::string causes_text(const Report& report, std::size_t most) {
+std::string causes_text(const Printed& of, std::size_t most) {
     std::string text;
     std::size_t listed = 0;
-    for (std::size_t k = 0; k < report.findings.size(); ++k) {
-        const Finding& finding = report.findings[k];
+    for (std::size_t k = 0; k < of.findings.size(); ++k) {
+        const PrintedFinding& finding = of.findings[k];
         if (finding.follows_from) {
             continue;
         }
         if (++listed > most) {
-            return text + "  and " + std::to_string(report.causes() - most) + " more\n";
+            return text + "  and " + std::to_string(of.causes() - most) + " more\n";
         }
-        text += "  " + std::to_string(listed) + ". " + sentence(finding, report) + '\n';
+        text += "  " + std::to_string(listed) + ". " + finding.text + '\n';
         const auto followers = std::ranges::count_if(
-            report.findings, [k](const Finding& f) { return f.follows_from == k; });
-        if (followers > 0) {
+            of.findings, [k](const PrintedFinding& f) { return f.follows_from == k; });
+        if (followers > 0 && of.compares == "pixels") {
+            for (const PrintedFinding& group : of.findings) {
+                text += group.follows_from == k ? "     " + group.text + '\n' : "";
+            }
+        } else if (followers > 0) {
             text += "     " + std::to_string(followers) +
                     (followers == 1 ? " other difference follows" : " other differences follow") +
                     " from it\n";
         }
-        if (finding.problem != Problem::whole) {
-            text += "     " + hints(finding, report).formula + '\n';
+        if (!finding.of_the_whole) {
+            text += "     " + finding.formula + '\n';
         }
     }
     return text;
 }
 
-std::string mistakes_text(const Report& report) {
+std::string mistakes_text(const Printed& of) {
     std::string text;
-    for (const NamedMistake& mistake : report.mistakes) {
+    for (const NamedMistake& mistake : of.mistakes) {
         text += std::string("  ") + (mistake.sure ? "The mistake" : "Perhaps") + ": " +
                 mistake.text + " [" + mistake.id + "]\n";
         text += "     explains " + std::to_string(mistake.rays) +
-                (mistake.rays == 1 ? " ray" : " rays") + "; see the lecture on " + mistake.topic +
-                '\n';
+                (of.compares == "pixels" ? " pixels"
+                 : mistake.rays == 1     ? " ray"
+                                         : " rays") +
+                "; see the lecture on " + mistake.topic + ", lesson " + mistake.lesson + '\n';
         if (!mistake.ties.empty()) {
             text += "     the same numbers would come from";
             for (const std::string& tie : mistake.ties) {
@@ -72,12 +105,28 @@ std::string mistakes_text(const Report& report) {
             text += '\n';
         }
     }
+    for (const std::string& pixel : of.telling_pixels) {
+        text += "     " + pixel + '\n';
+    }
     return text;
+}
+
+std::string points_text(const Printed& of) {
+    std::string text;
+    for (const PointsRow& row : of.points ? of.points->rows : std::vector<PointsRow>()) {
+        if (row.right != row.compared) {
+            text += "     " + row.quantity + " of " + row.kind + " rays, level " +
+                    std::to_string(row.level) + ": " + std::to_string(row.right) + " of " +
+                    std::to_string(row.compared) + " right, " + number(row.points) + " of " +
+                    number(row.of) + '\n';
+        }
+    }
+    return text.empty() ? text : "  Points lost:\n" + text;
 }
 
 /// A field of a CSV row: quoted, and never a formula of a spreadsheet.
 std::string cell(const std::string& text) {
-    std::string safe = harmless(text);
+    std::string safe = text;
     if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) {
         safe.insert(0, 1, '\'');
     }
@@ -88,92 +137,51 @@ std::string cell(const std::string& text) {
     return quoted + '"';
 }
 
-std::string xml(std::string_view text) { return xml_text(harmless(text)); }
-
-std::string first_cause(const Report& report) {
-    return report.findings.empty() ? "" : sentence(report.findings.front(), report);
+std::string first_cause(const Printed& of) {
+    return of.findings.empty() ? "" : of.findings.front().text;
 }
 
 }  // namespace
 
-std::vector<Group> groups_of(const std::vector<Report>& reports) {
-    std::map<std::string, std::vector<std::string>> by_id;
-    for (const Report& report : reports) {
-        if (!report.mistakes.empty()) {
-            by_id[report.mistakes.front().id].push_back(report.file);
-        }
-    }
-    std::vector<Group> groups;
-    for (auto& [id, files] : by_id) {
-        groups.push_back({id, std::move(files)});
-    }
-    std::ranges::stable_sort(groups, std::greater<>(),
-                             [](const Group& group) { return group.files.size(); });
-    return groups;
-}
-
-std::string write_report_text(const std::vector<Report>& reports, const TextOptions& options) {
-    std::string text;
-    std::size_t passed = 0;
-    for (const Report& report : reports) {
-        text += headline(report) + '\n';
-        passed += report.verdict == Verdict::pass ? 1 : 0;
-        if (options.details) {
-            text += causes_text(report, options.most_findings);
-            text += mistakes_text(report);
-            for (const std::string& remark : report.remarks) {
-                text += "  (" + harmless(remark) + ")\n";
-            }
-        }
-    }
-    if (reports.size() > 1) {
-        text += std::to_string(passed) + " of " + std::to_string(reports.size()) + " pass\n";
-        for (const Group& group : groups_of(reports)) {
-            text += "  " + std::to_string(group.files.size()) + " of " +
-                    std::to_string(reports.size()) + ": " + group.id + '\n';
-        }
+std::string words_of(const Printed& of, std::size_t most_findings) {
+    std::string text = headline(of) + '\n' + conventions_text(of) + causes_text(of, most_findings) +
+                       mistakes_text(of) + points_text(of);
+    for (const std::string& remark : of.remarks) {
+        text += "  (" + remark + ")\n";
     }
     return text;
 }
 
-std::string write_report_csv(const std::vector<Report>& reports) {
-    std::string text = "file,verdict,score,profile,rays,compared,causes,mistake,sure,first\n";
-    for (const Report& report : reports) {
-        char score[30];
-        std::snprintf(score, sizeof score, "%.6g", report.score);
-        const bool named = !report.mistakes.empty();
-        text += cell(report.file) + ',' + std::string(word_of(report.verdict)) + ',' + score + ',' +
-                report.profile + ',' + std::to_string(report.rays) + ',' +
-                std::to_string(report.compared) + ',' + std::to_string(report.causes()) + ',' +
-                (named ? report.mistakes.front().id : "") + ',' +
-                (named && report.mistakes.front().sure ? "yes" : "") + ',' +
-                cell(first_cause(report)) + '\n';
+std::string csv_row_of(const Printed& of) {
+    const bool named = !of.mistakes.empty();
+    std::string conventions;
+    for (const PrintedConvention& each : of.conventions) {
+        conventions += (conventions.empty() ? "" : " ") + each.axis + '=' + each.value;
     }
-    return text;
+    return cell(of.file) + ',' + of.verdict + ',' + number(of.score) + ',' +
+           (of.points ? number(of.points->earned) : "") + ',' + of.profile + ',' +
+           cell(conventions) + ',' + std::to_string(of.rays) + ',' + std::to_string(of.compared) +
+           ',' + std::to_string(of.causes()) + ',' + (named ? of.mistakes.front().id : "") + ',' +
+           (named && of.mistakes.front().sure ? "yes" : "") + ',' + cell(first_cause(of)) + '\n';
 }
 
-std::string write_report_junit(const std::vector<Report>& reports) {
-    std::size_t failures = 0, errors = 0;
-    std::string cases;
-    for (const Report& report : reports) {
-        cases += "  <testcase classname=\"raytree.check\" name=\"" + xml(report.file) + "\"";
-        if (report.verdict == Verdict::pass) {
-            cases += "/>\n";
-            continue;
-        }
-        const bool unreadable = report.verdict == Verdict::unreadable;
-        ++(unreadable ? errors : failures);
-        const std::string tag = unreadable ? "error" : "failure";
-        cases += "><" + tag + " message=\"" + xml(first_cause(report)) + "\">";
-        for (const Finding& finding : report.findings) {
-            cases += finding.follows_from ? "" : xml(sentence(finding, report)) + '\n';
-        }
-        cases += "</" + tag + "></testcase>\n";
+std::string junit_case_of(const Printed& of) {
+    const std::string name =
+        "  <testcase classname=\"raytree.check\" name=\"" + xml_text(of.file) + "\"";
+    if (of.verdict == "pass") {
+        return name + "/>\n";
     }
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"raytree check\" "
-           "tests=\"" +
-           std::to_string(reports.size()) + "\" failures=\"" + std::to_string(failures) +
-           "\" errors=\"" + std::to_string(errors) + "\">\n" + cases + "</testsuite>\n";
+    const std::string tag = of.verdict == "unreadable" ? "error" : "failure";
+    std::string text = name + "><" + tag + " message=\"" + xml_text(first_cause(of)) + "\">";
+    for (const PrintedFinding& finding : of.findings) {
+        text += finding.follows_from ? "" : xml_text(finding.text) + '\n';
+    }
+    for (const NamedMistake& mistake : of.mistakes) {
+        text += xml_text((mistake.sure ? "The mistake: " : "Perhaps: ") + mistake.text + " [" +
+                         mistake.id + "]") +
+                '\n';
+    }
+    return text + "</" + tag + "></testcase>\n";
 }
 
 }  // namespace raytree::check

@@ -1,10 +1,8 @@
 #include "check/submission.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <mutex>
 
 #include "formats/output_file.h"
@@ -18,7 +16,6 @@ namespace {
 constexpr int float_digits = 9;   // enough for every float
 constexpr int fewest_digits = 4;  // fewer are not taken for an excuse
 constexpr int usual_digits = 6;   // of printf and of C++ streams
-constexpr int all_digits = 17;
 
 Numbers of(const Vec3<double>& v) { return {3, {v.x, v.y, v.z}}; }
 Numbers of(const Rgb<double>& c) { return {3, {c.r, c.g, c.b}}; }
@@ -58,14 +55,14 @@ struct Spelling {
 };
 Spelling spelling_of(double x) {
     char text[40];
-    for (int digits = 1; digits <= all_digits; ++digits) {
-        std::snprintf(text, sizeof text, "%.*e", digits - 1, x);
-        if (std::strtod(text, nullptr) == x) {
-            const int exponent = std::atoi(std::strchr(text, 'e') + 1);
-            return {digits, std::max(0, digits - 1 - exponent)};
-        }
-    }
-    return {all_digits, all_digits};
+    const char* const end =
+        std::to_chars(text, text + sizeof text, x, std::chars_format::scientific).ptr;
+    const char* const e = std::find(static_cast<const char*>(text), end, 'e');
+    const auto digits = static_cast<int>(std::count_if(
+        static_cast<const char*>(text), e, [](char c) { return c >= '0' && c <= '9'; }));
+    int exponent = 0;
+    std::from_chars(e + (e != end && e[1] == '+' ? 2 : 1), end, exponent);
+    return {digits, std::max(0, digits - 1 - exponent)};
 }
 
 /// Large files are parsed one at a time, so that a folder of them fits into memory.

@@ -54,6 +54,8 @@ class JsonWriter {
     JsonWriter& key(std::string_view name);
 
     JsonWriter& null() { return atom("null"); }
+    /// `json` is one number, string, list of numbers, `true`, `false` or `null`.
+    JsonWriter& raw(std::string_view json) { return atom(json); }
     JsonWriter& value(bool truth) { return atom(truth ? "true" : "false"); }
     JsonWriter& value(std::string_view text) { return atom(json_string(text)); }
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }

@@ -24,39 +24,11 @@ using File = std::unique_ptr<std::FILE, Close>;
     throw InputError(path, "", what + ": " + std::strerror(error));
 }
 
-void write_all(std::FILE* file, std::string_view bytes, const std::string& path) {
-    errno = 0;
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    if (!written || std::fflush(file) != 0) {
-        fail(path, "cannot be written", errno != 0 ? errno : EIO);
-    }
-}
-
-/// Removes the file when it goes out of scope, unless it was kept.
-struct Temporary {
-    fs::path path;
-    bool kept = false;
-    ~Temporary() {
-        std::error_code ignored;
-        if (!kept) {
-            fs::remove(path, ignored);
-        }
-    }
-};
-
 /// A pipe or a device, such as /dev/stdout, is written to: it cannot be replaced by a file.
 bool is_special(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
-void write_directly(const std::string& path, std::string_view bytes) {
-    const File file(std::fopen(path.c_str(), "wb"));
-    if (!file) {
-        fail(path, "cannot be written", errno);
-    }
-    write_all(file.get(), bytes, path);
 }
 
 /// The file that a link leads to, so that it is the target that is replaced and not the link.
@@ -86,35 +58,64 @@ std::string why_not_writable(const std::string& path, const std::string& input) 
     return {};
 }
 
-void write_output(const std::string& path, std::string_view bytes) {
-    if (path == "-") {
-        write_all(stdout, bytes, "standard output");
+void OutputFile::Close::operator()(std::FILE* file) const { std::fclose(file); }
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+    if (path_ == "-") {
         return;
     }
-    if (is_special(path)) {
-        write_directly(path, bytes);
+    if (fs::is_directory(path_)) {
+        throw InputError(path_, "", "is a folder, not a file to write to");
+    }
+    std::string name = path_;
+    if (!is_special(path_)) {
+        target_ = resolved(path_);
+        name = target_.string() + ".part" + std::to_string(::getpid());
+    }
+    file_.reset(std::fopen(name.c_str(), "wb"));
+    if (!file_) {
+        fail(path_, "cannot be written", errno);
+    }
+    temporary_ = target_.empty() ? fs::path() : fs::path(name);
+}
+
+OutputFile::~OutputFile() {
+    std::error_code ignored;
+    if (!temporary_.empty()) {
+        fs::remove(temporary_, ignored);
+    }
+}
+
+void OutputFile::add(std::string_view bytes) {
+    std::FILE* const file = file_ ? file_.get() : stdout;
+    errno = 0;
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) {
+        fail(file_ ? path_ : "standard output", "cannot be written", errno != 0 ? errno : EIO);
+    }
+}
+
+void OutputFile::finish() {
+    std::FILE* const file = file_ ? file_.get() : stdout;
+    errno = 0;
+    if (std::fflush(file) != 0) {
+        fail(file_ ? path_ : "standard output", "cannot be written", errno != 0 ? errno : EIO);
+    }
+    file_.reset();
+    if (temporary_.empty()) {
         return;
-    }
-    if (fs::is_directory(path)) {
-        throw InputError(path, "", "is a folder, not a file to write to");
-    }
-    const fs::path target = resolved(path);
-    Temporary temporary{target.string() + ".part" + std::to_string(::getpid())};
-    {
-        const File file(std::fopen(temporary.path.c_str(), "wb"));
-        if (!file) {
-            const int error = errno;
-            temporary.kept = true;  // there is none
-            fail(path, "cannot be written", error);
-        }
-        write_all(file.get(), bytes, path);
     }
     std::error_code error;
-    fs::rename(temporary.path, target, error);
+    fs::rename(temporary_, target_, error);
     if (error) {
-        fail(path, "cannot be written", error.value());
+        fail(path_, "cannot be written", error.value());
     }
-    temporary.kept = true;
+    temporary_.clear();
+}
+
+void write_output(const std::string& path, std::string_view bytes) {
+    OutputFile file(path);
+    file.add(bytes);
+    file.finish();
 }
 
 std::string read_input(const fs::path& path) {

@@ -211,6 +211,12 @@ template <class T> std::string write_tree_json(const RayTree<T>& tree, const Sce
     return json.take();
 }
 
+std::string write_ray_json(const TreeRay<double>& ray) {
+    JsonWriter json;
+    write_ray(json, ray, nullptr);
+    return json.take();
+}
+
 template std::string write_tree_json(const RayTree<float>&, const Scene*,
                                      const std::vector<RayBounds>*);
 template std::string write_tree_json(const RayTree<double>&, const Scene*,

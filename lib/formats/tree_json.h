@@ -22,6 +22,9 @@ template <class T> std::string write_tree_json(const RayTree<T>& tree,
                                                const Scene* embedded = nullptr,
                                                const std::vector<RayBounds>* bounds = nullptr);
 
+/// One ray as it stands in a raytree/1.0 document, with a line feed at its end.
+std::string write_ray_json(const TreeRay<double>& ray);
+
 /// A ray tree as a file gave it, which may be from someone else's tracer.
 struct ReadTree {
     /// Depth first and numbered anew, directions made unit. What the file leaves out has its

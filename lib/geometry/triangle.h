@@ -9,16 +9,32 @@
 namespace raytree {
 
 /// A triangle, of a mesh or a polygon of three vertices.
-template <class T> struct TriangleShape {
-    std::array<Vec3<T>, 3> vertices{};
-    Plane<T> plane;
-    std::int32_t normals = -1;  ///< place of its vertex normals, -1: none
-};
+template <class T> struct TriangleShape { std::array<Vec3<T>, 3> vertices{}; };
 
+/// The unit normals of a triangle's vertices.
 template <class T> using VertexNormals = std::array<Vec3<T>, 3>;
 
-template <class T> TriangleShape<T> make_triangle(const std::array<Vec3<T>, 3>& vertices) {
-    return {vertices, supporting_plane(std::span<const Vec3<T>>(vertices)), -1};
+template <class T> Plane<T> supporting_plane(const TriangleShape<T>& triangle) {
+    return supporting_plane(std::span<const Vec3<T>>(triangle.vertices));
+}
+
+/// Where the ray meets the triangle's plane, as `meet` of a plane says, without what would only be
+/// a detour to one number: the normal is left as long as it is, and the point is a vertex.
+template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start,
+                                T nearest, T farthest) {
+    const auto& [a, b, c] = triangle.vertices;
+    const Vec3<T> normal = outer<T>(b - a, c - a);
+    const T distance = inner<T>(normal, a - ray.origin);
+    if (start != Start::anywhere) {
+        const T extent =
+            max_of(largest_component(a), max_of(largest_component(b), largest_component(c)));
+        const T error = 16 * Real<T>::unit_roundoff * extent + 4 * ray.origin_error;
+        if (abs(distance) <= error * length(normal)) {
+            return 0;
+        }
+    }
+    const T speed = inner(normal, ray.direction);
+    return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
@@ -50,21 +66,21 @@ Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start st
     if (passes_through(triangle, ray, frame)) {
         const auto [nearest, farthest] =
             passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
-        roots.add(meet(triangle.plane, ray, start, nearest, farthest));
+        roots.add(meet_plane(triangle, ray, start, nearest, farthest));
     }
     return roots;
 }
 
 /// The normal interpolated at a point of the triangle by its barycentric coordinates, which on a
 /// triangle is what bilinear interpolation gives.
-template <class T> UnitVec3<T> interpolated_normal(const TriangleShape<T>& triangle,
-                                                   const VertexNormals<T>& normals,
-                                                   const Vec3<T>& point) {
+template <class T>
+UnitVec3<T> interpolated_normal(const TriangleShape<T>& triangle, const UnitVec3<T>& normal,
+                                const VertexNormals<T>& normals, const Vec3<T>& point) {
     Vec3<T> sum(T(0));
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<T> area = outer<T>(triangle.vertices[(i + 1) % 3] - point,
                                       triangle.vertices[(i + 2) % 3] - point);
-        sum += inner(triangle.plane.normal, area) * normals[i];
+        sum += inner(normal, area) * normals[i];
     }
     return UnitVec3<T>::of(sum);
 }
@@ -73,9 +89,10 @@ template <class T> UnitVec3<T> interpolated_normal(const TriangleShape<T>& trian
 template <class T> SurfacePoint<T> surface_at(const TriangleShape<T>& triangle,
                                               const VertexNormals<T>* normals, const Ray<T>& ray,
                                               T t) {
-    const Vec3<T> point = point_on(triangle.plane, ray, t);
-    return {point, triangle.plane.normal,
-            normals ? interpolated_normal(triangle, *normals, point) : triangle.plane.normal};
+    const Plane<T> plane = supporting_plane(triangle);
+    const Vec3<T> point = point_on(plane, ray, t);
+    return {point, plane.normal,
+            normals ? interpolated_normal(triangle, plane.normal, *normals, point) : plane.normal};
 }
 
 }  // namespace raytree

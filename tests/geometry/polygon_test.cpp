@@ -116,13 +116,14 @@ TEST_CASE("triangle: bilinear and barycentric interpolation agree") {
                                     UnitVec3<double>::of({0.3, 0.2, 1}),
                                     UnitVec3<double>::of({-0.4, 0.1, 1})};
     const auto bilinear = polygon(vertices, normals);
-    const auto triangle = make_triangle<double>({vertices[0], vertices[1], vertices[2]});
+    const TriangleShape<double> triangle{{vertices[0], vertices[1], vertices[2]}};
     const VertexNormals<double> corner{normals[0], normals[1], normals[2]};
     for (double s = 0.1; s < 0.9; s += 0.2) {
         for (double t = 0.05; s + t < 0.95; t += 0.2) {
             const V p = (1 - s - t) * vertices[0] + s * vertices[1] + t * vertices[2];
-            const V difference = interpolated_normal(bilinear, p).vec() -
-                                 interpolated_normal(triangle, corner, p).vec();
+            const V difference =
+                interpolated_normal(bilinear, p).vec() -
+                interpolated_normal(triangle, supporting_plane(triangle).normal, corner, p).vec();
             CHECK(length(difference) < 1e-14);
         }
     }
@@ -138,7 +139,7 @@ TEST_CASE("triangle: no ray passes between neighbours of a fan, however thin") {
         rim.push_back(hub + V(std::cos(angle), std::sin(angle), 0.2 * std::sin(3 * angle)));
     }
     for (std::size_t k = 0; k < count; ++k) {
-        fan.push_back(make_triangle<double>({hub, rim[k], rim[(k + 1) % count]}));
+        fan.push_back({{hub, rim[k], rim[(k + 1) % count]}});
     }
     const V eye(0.3, -0.2, 7);
     for (std::size_t k = 0; k < count; ++k) {

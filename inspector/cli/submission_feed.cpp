@@ -1,0 +1,115 @@
+#include "submission_feed.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scene/input_error.h"
+#include "values.h"
+
+namespace raytree::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_picture(const std::string& file) {
+    constexpr std::array<std::string_view, 3> extensions = {"png", "ppm", "pfm"};
+    return std::ranges::find(extensions, extension_of(file)) != extensions.end();
+}
+
+bool is_tree(const std::string& file) { return extension_of(file) == "json"; }
+
+/// A folder's trees and archives; where it has none, its pictures.
+std::vector<fs::path> files_inside(const std::string& folder) {
+    std::vector<fs::path> trees, pictures;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error), end; entry != end && !error;
+         entry.increment(error)) {
+        const std::string name = entry->path().string();
+        if (entry->is_directory(error)) {
+            continue;
+        }
+        if (is_tree(name) || ArchiveReader::is_archive(name)) {
+            trees.push_back(entry->path());
+        } else if (is_picture(name)) {
+            pictures.push_back(entry->path());
+        }
+    }
+    if (trees.empty() && pictures.empty()) {
+        throw InputError(folder, "", "has no .json files in it");
+    }
+    return trees.empty() ? pictures : trees;
+}
+
+}  // namespace
+
+std::string anonymous_name(std::size_t number) {
+    const std::string digits = std::to_string(number);
+    return "submission-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
+}
+
+SubmissionFeed::SubmissionFeed(const std::vector<std::string>& named, bool anonymous)
+    : anonymous_(anonymous) {
+    for (const std::string& name : named) {
+        std::error_code error;
+        if (!fs::is_directory(name, error)) {
+            files_.emplace_back(name);
+            continue;
+        }
+        const std::vector<fs::path> inside = files_inside(name);
+        files_.insert(files_.end(), inside.begin(), inside.end());
+    }
+    std::ranges::sort(files_, {}, [](const fs::path& file) { return file.string(); });
+    files_.erase(std::unique(files_.begin(), files_.end()), files_.end());
+}
+
+Handed SubmissionFeed::named(Handed handed) {
+    handed.is_picture = is_picture(handed.name);
+    ++handed_out_;
+    if (anonymous_) {
+        handed.name = anonymous_name(handed_out_);
+    }
+    return handed;
+}
+
+std::optional<Handed> SubmissionFeed::from_archive() {
+    auto entry =
+        archive_->next([](const std::string& name) { return is_tree(name) || is_picture(name); });
+    if (!entry) {
+        archive_.reset();
+        return std::nullopt;
+    }
+    Handed handed;
+    handed.name = archive_name_ + (entry->name.empty() ? "" : '/' + entry->name);
+    handed.text = std::move(entry->bytes);
+    handed.refusal = std::move(entry->refusal);
+    return named(std::move(handed));
+}
+
+std::optional<Handed> SubmissionFeed::next() {
+    for (;;) {
+        if (archive_) {
+            if (auto handed = from_archive()) {
+                return handed;
+            }
+        }
+        if (at_ == files_.size()) {
+            return std::nullopt;
+        }
+        const fs::path& file = files_[at_++];
+        Handed handed;
+        handed.name = file.string();
+        handed.file = file;
+        if (!ArchiveReader::is_archive(handed.name)) {
+            return named(std::move(handed));
+        }
+        archive_name_ = handed.name;
+        try {
+            archive_ = std::make_unique<ArchiveReader>(file);
+        } catch (const InputError& error) {
+            handed.refusal = error.mistakes().front().text;
+            return named(std::move(handed));
+        }
+    }
+}
+
+}  // namespace raytree::cli

@@ -1,0 +1,90 @@
+#include "check/lessons.h"
+
+#include <algorithm>
+#include <array>
+
+namespace raytree::check {
+namespace {
+
+constexpr std::array<Lesson, 14> lessons = {{
+    {3, "The ray through a pixel"},
+    {4, "Spheres"},
+    {5, "Polygons"},
+    {6, "World space and eye space"},
+    {7, "Hidden surfaces by ray casting"},
+    {8, "Recursive ray tracing"},
+    {9, "The reflected direction"},
+    {10, "The refracted direction"},
+    {11, "Shadows by rays"},
+    {12, "Illumination of the tree, bottom up"},
+    {13, "Attenuation by distance"},
+    {14, "Where a tree ends"},
+    {16, "Why nothing can be culled"},
+    {21, "When numbers fail"},
+}};
+
+struct Rule {
+    std::string_view prefix;  ///< of the mistake's id; the first that fits holds
+    int lesson;
+};
+
+constexpr Rule rules[] = {
+    {"cam.lookat", 6},
+    {"cam.looks", 6},
+    {"cam.up", 6},
+    {"cam.right", 6},
+    {"cam.forward", 6},
+    {"cam.", 3},
+    {"num.int", 3},
+    {"isect.plane", 5},
+    {"isect.polygon", 5},
+    {"isect.last", 7},
+    {"isect.first", 7},
+    {"isect.farthest", 7},
+    {"isect.backface", 16},
+    {"isect.negative", 16},
+    {"isect.t_int", 21},
+    {"isect.", 4},
+    {"eps.", 21},
+    {"num.", 21},
+    {"hit.beyond", 3},
+    {"hit.near", 16},
+    {"hit.primary", 3},
+    {"hit.", 4},
+    {"nrm.flat", 5},
+    {"nrm.", 4},
+    {"shd.", 11},
+    {"lit.att", 13},
+    {"lit.", 12},
+    {"refl.no_offset", 21},
+    {"refl.kr", 12},
+    {"refl.not_added", 12},
+    {"refl.", 9},
+    {"refr.no_offset", 21},
+    {"refr.kt", 12},
+    {"refr.not_added", 12},
+    {"refr.", 10},
+    {"rec.fade", 13},
+    {"rec.depth", 14},
+    {"rec.min_weight", 14},
+    {"rec.max_distance", 14},
+    {"rec.distance", 14},
+    {"rec.", 12},
+    {"bg.", 8},
+    {"out.", 12},
+    {"", 8},
+};
+
+}  // namespace
+
+std::string Lesson::name() const {
+    return (number < 10 ? "0" : "") + std::to_string(number) + ' ' + std::string(title);
+}
+
+const Lesson& lesson_of(std::string_view mistake) {
+    const Rule& rule = *std::ranges::find_if(
+        rules, [&](const Rule& each) { return mistake.starts_with(each.prefix); });
+    return *std::ranges::find(lessons, rule.lesson, &Lesson::number);
+}
+
+}  // namespace raytree::check

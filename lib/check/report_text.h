@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "check/report.h"
+
+/// Pieces of reports for people and for spreadsheets.
+namespace raytree::check {
+
+std::string words_of(const Printed& of, std::size_t most_findings);
+std::string csv_row_of(const Printed& of);
+std::string junit_case_of(const Printed& of);
+
+}  // namespace raytree::check
