@@ -13,6 +13,7 @@
 #include "formats/tree_text.h"
 #include "formats/tree_vtp.h"
 #include "scene_arguments.h"
+#include "tree/error_bounds.h"
 #include "tree/record.h"
 #include "tree/tree_cast.h"
 #include "values.h"
@@ -36,7 +37,8 @@ struct Arguments {
     std::string output = "-";
     std::optional<TreeFormat> as;
     bool embed_scene = false;
-    bool empty = false;  ///< the tree without its numbers
+    bool empty = false;         ///< the tree without its numbers
+    bool error_bounds = false;  ///< the numbers with how far off they may be
     Precision precision = Precision::twice;
 };
 
@@ -69,10 +71,27 @@ template <class T> std::string to_fill_in(const RayTree<T>& tree, const Argument
                : write_tree_template_json(tree_cast<double>(tree));
 }
 
+/// The tree with how far off its numbers may be: of those computed in double.
+template <class T>
+std::string with_bounds(const RayTree<T>& tree, const Scene& scene, const Arguments& arguments) {
+    const auto in_double = tree_cast<double>(tree);
+    const World<double> world(scene);
+    const World<Quad> reference(scene);
+    const auto bounds = error_bounds(world, reference, in_double, Real<double>::unit_roundoff);
+    if (format_of(arguments) == TreeFormat::text) {
+        return write_tree_text(in_double,
+                               {.colour = wants_colour(arguments.output), .bounds = &bounds});
+    }
+    return write_tree_json(in_double, arguments.embed_scene ? &scene : nullptr, &bounds);
+}
+
 template <class T>
 std::string written(const RayTree<T>& tree, const Scene& scene, const Arguments& arguments) {
     if (arguments.empty) {
         return to_fill_in(tree, arguments);
+    }
+    if (arguments.error_bounds) {
+        return with_bounds(tree, scene, arguments);
     }
     switch (format_of(arguments)) {
         case TreeFormat::text:
@@ -96,6 +115,18 @@ void expect_sense(const Arguments& arguments) {
     }
     if (arguments.empty && arguments.embed_scene) {
         throw Misuse("--template and --embed-scene do not go together");
+    }
+    if (!arguments.error_bounds) {
+        return;
+    }
+    if (arguments.empty) {
+        throw Misuse("--template and --error-bounds do not go together");
+    }
+    if (as != TreeFormat::json && as != TreeFormat::text) {
+        throw Misuse("--error-bounds is written as json or as text only");
+    }
+    if (arguments.precision != Precision::twice) {
+        throw Misuse("--error-bounds are those of --precision double");
     }
 }
 
@@ -140,6 +171,9 @@ Command trace_command(CLI::App& program) {
     app->add_flag("--embed-scene", arguments->embed_scene, "put the whole scene into the json");
     app->add_flag("--template", arguments->empty,
                   "the rays without their numbers, to be filled in by hand\n(json or text)");
+    app->add_flag("--error-bounds", arguments->error_bounds,
+                  "with each number how far off it may be, and which rays\ncould have gone either "
+                  "way (json or text)");
     add_precision(*app, arguments->precision);
     add_scene_arguments(*app, arguments->scene);
     return {app, [arguments] { return trace(*arguments); }};

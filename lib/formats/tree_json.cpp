@@ -117,8 +117,8 @@ template <class T> void write_carrying_ray(JsonWriter& json, const TreeRay<T>& r
     write_skipped(json, ray.skipped);
 }
 
-template <class T> void write_hit_bounds(JsonWriter& json, const TreeHit<T>& hit,
-                                         const HitBounds& bounds) {
+template <class T>
+void write_hit_bounds(JsonWriter& json, const TreeHit<T>& hit, const HitBounds& bounds) {
     json.key("hit").begin_object();
     json.member("t", bounds.t);
     json.member("point", bounds.point);

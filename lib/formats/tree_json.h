@@ -14,12 +14,13 @@
 namespace raytree {
 
 /// The tree as a raytree/1.0 document, with the whole of `embedded` under `scene.document` where it
-/// is given. `T` is float, double or Quad; every number of the tree is finite. With the bounds of its
-/// errors, by ray, each ray has `error_bounds` besides (a bound for each of its numbers, of the same
-/// name; of a vector one for all components) and, where it could have gone either way, `undecided`.
-template <class T>
-std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded = nullptr,
-                            const std::vector<RayBounds>* bounds = nullptr);
+/// is given. `T` is float, double or Quad; every number of the tree is finite. With the bounds of
+/// its errors, by ray, each ray has `error_bounds` besides (a bound for each of its numbers, of the
+/// same name; of a vector one for all components) and, where it could have gone either way,
+/// `undecided`.
+template <class T> std::string write_tree_json(const RayTree<T>& tree,
+                                               const Scene* embedded = nullptr,
+                                               const std::vector<RayBounds>* bounds = nullptr);
 
 /// One ray as it stands in a raytree/1.0 document, with a line feed at its end.
 std::string write_ray_json(const TreeRay<double>& ray);

@@ -59,6 +59,7 @@ class Outline {
     Outline(const RayTree<double>& tree, const OutlineOptions& options)
         : tree_(tree),
           children_(children_of(tree)),
+          bounds_(options.bounds),
           out_(options.colour, static_cast<std::size_t>(std::max(options.width, 40))) {}
 
     std::string write() {
@@ -148,6 +149,12 @@ class Outline {
               "number where the three are equal. A term without its ray and an f of 1 are left "
               "out. The share of a ray is what its f·I is multiplied by on the way to the pixel. "
               "Numbers have 4 digits; those with fewer are exact."}});
+        if (bounds_) {
+            out_.paragraph("", "",
+                           {{Style::plain,
+                             "± is how far rounding may have moved the numbers of a ray; unsure is "
+                             "what could have gone the other way by it."}});
+        }
         out_.line("", {});
     }
 
@@ -186,6 +193,32 @@ class Outline {
             row(at, "adds",
                 "diffuse " + triple_text(ray.diffuse) + " + specular " + triple_text(ray.specular));
         }
+        write_bounds(ray, at);
+    }
+
+    /// How far off the ray's numbers may be, and what could have gone the other way.
+    void write_bounds(const Ray& ray, const Place& at) {
+        if (!bounds_) {
+            return;
+        }
+        const RayBounds& bounds = (*bounds_)[ray.id];
+        std::string text = "direction " + number_text(bounds.direction);
+        if (ray.shadow) {
+            if (ray.shadow->distance) {
+                text += ", distance " + number_text(bounds.distance);
+            }
+        } else if (ray.hit) {
+            text += ", t " + number_text(bounds.hit.t) + ", point " +
+                    number_text(bounds.hit.point) + ", normal " + number_text(bounds.hit.normal) +
+                    ", cosine " + number_text(bounds.hit.cos_incident);
+        }
+        if (!ray.shadow) {
+            text += ", I " + triple_text(bounds.intensity);
+        }
+        row(at, "±", text);
+        for (const Doubt& doubt : bounds.doubts) {
+            row(at, "unsure", doubt.text);
+        }
     }
 
     void write_carrying_ray(const Ray& ray, const std::string& prefix, const Place& at) {
@@ -193,6 +226,7 @@ class Outline {
             title(ray, prefix, at, "escapes");
             write_share(ray, at);
             row(at, "I", triple_text(ray.intensity) + ", the background");
+            write_bounds(ray, at);
             row(at, "ends", ended_text(tree_, ray));
             return;
         }
@@ -210,6 +244,7 @@ class Outline {
         }
         write_share(ray, at);
         write_sum(ray, at);
+        write_bounds(ray, at);
         if (ray.termination) {
             row(at, "ends", ended_text(tree_, ray));
         }
@@ -279,6 +314,7 @@ class Outline {
 
     const RayTree<double>& tree_;
     std::vector<std::vector<std::size_t>> children_;
+    const std::vector<RayBounds>* bounds_;
     StyledText out_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tree/error_bounds.h"
 #include "tree/ray_tree.h"
 
 namespace raytree {
@@ -9,6 +10,7 @@ namespace raytree {
 struct OutlineOptions {
     bool colour = false;  ///< with the colours of a terminal (ECMA-48); no meaning is theirs alone
     int width = 100;      ///< columns to stay within, where names and depth allow
+    const std::vector<RayBounds>* bounds = nullptr;  ///< of the numbers' errors, by ray: to be told
 };
 
 /// The tree as an outline for people: each ray with its hit, its share of the pixel, how its

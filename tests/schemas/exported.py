@@ -2,7 +2,8 @@
 
     exported.py RAYTREE SCHEMA_FOLDER SCENE...
 
-Of every scene nine pixels are traced, in double with the scene inside, in reference without it.
+Of every scene nine pixels are traced: in double with the scene inside, in reference without it, and
+with the bounds of their errors.
 """
 
 import json
@@ -24,7 +25,7 @@ def main():
     checked = bad = 0
     for path in map(pathlib.Path, scenes):
         for pixel in pixels(json.loads(path.read_text())):
-            for options in (["--embed-scene"], ["--precision", "reference"]):
+            for options in (["--embed-scene"], ["--precision", "reference"], ["--error-bounds"]):
                 command = [raytree, "trace", path, "--pixel", pixel, *options]
                 tree = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
                 checked += 1

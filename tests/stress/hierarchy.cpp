@@ -185,11 +185,11 @@ Tally run(Random& random, std::uint64_t trials) {
         Point center;
         const Scene scene = make_scene(random, scale, center, trials - tally.trials);
         Comparison<double> in_double(scene);
-        Comparison<float> in_float(scene);
+        auto in_float = if_accepted<Comparison<float>>(scene);
         for (int k = 0; k < rays_each && tally.trials < trials; ++k) {
             in_double.shoot(random, scale, center, tally);
-            if (k % 10 == 0) {
-                in_float.shoot(random, scale, center, tally);
+            if (in_float && k % 10 == 0) {
+                in_float->shoot(random, scale, center, tally);
             }
         }
     }

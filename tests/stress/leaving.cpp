@@ -248,10 +248,14 @@ Tally run(Random& random, std::uint64_t trials) {
     while (tally.trials < trials) {
         const Body body = make_body(random);
         Judge<double> in_double(body);
-        Judge<float> in_float(body);
+        auto in_float = if_accepted<Judge<float>>(body);
         for (std::uint64_t k = 0; k < rays_each && tally.trials < trials; ++k, ++tally.trials) {
             in_double.shoot(random, tally);
-            in_float.shoot(random, tally);
+            if (in_float) {
+                in_float->shoot(random, tally);
+            } else {
+                ++tally.in_float.undecided;
+            }
         }
     }
     return tally;

@@ -17,8 +17,8 @@ namespace raytree::stress {
 namespace {
 
 std::vector<Row> all_rows() {
-    return {spheres(),   tangents(),   leaving(),   meshes(),  polygons(),
-            hierarchy(), refraction(), corridors(), extremes()};
+    return {spheres(),   tangents(),   leaving(),   meshes(),   polygons(),
+            hierarchy(), refraction(), corridors(), extremes(), trees()};
 }
 
 struct Arguments {
@@ -39,7 +39,8 @@ Tally run_row(const Row& row, std::uint64_t count, std::uint64_t seed) {
         Random random(seed, block);
         const std::uint64_t trials =
             block + 1 < blocks ? row.block : count - row.block * (blocks - 1);
-        Tally tally = row.run(random, trials);
+        Tally tally =
+            row.run_range ? row.run_range(block * row.block, trials) : row.run(random, trials);
         const std::lock_guard lock(mutex);
         if (!tally.first_wrong.empty() && block < first_block) {
             first_block = block;

@@ -87,11 +87,13 @@ Tally run(Random& random, std::uint64_t trials) {
     Tally tally;
     const Hull hull = make_hull(random);
     const Intersector<double> in_double(hull.scene);
-    const Intersector<float> in_float(hull.scene);
+    const auto in_float = if_accepted<Intersector<float>>(hull.scene);
     for (; tally.trials < trials; ++tally.trials) {
         const Point at = target(random, hull);
         shoot(in_double, hull, at, tally);
-        shoot(in_float, hull, at, tally);
+        if (in_float) {
+            shoot(*in_float, hull, at, tally);
+        }
     }
     return tally;
 }

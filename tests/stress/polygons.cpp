@@ -79,7 +79,7 @@ Tally run(Random& random, std::uint64_t trials) {
     while (tally.trials < trials) {
         const Pair pair = make_pair(random);
         const ShapeSet<double> in_double(pair.scene);
-        const ShapeSet<float> in_float(pair.scene);
+        const auto in_float = if_accepted<ShapeSet<float>>(pair.scene);
         for (int k = 0; k < 50 && tally.trials < trials; ++k, ++tally.trials) {
             const Point at = target(random, pair);
             Vec3<double> view = random.direction();
@@ -90,7 +90,9 @@ Tally run(Random& random, std::uint64_t trials) {
                                   ? at + pair.size * pair.normal
                                   : at + pair.size * random.log_uniform(0.1, 100) * view;
             shoot(in_double, pair, eye, at, tally);
-            shoot(in_float, pair, eye, at, tally);
+            if (in_float) {
+                shoot(*in_float, pair, eye, at, tally);
+            }
         }
     }
     return tally;

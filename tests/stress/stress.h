@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "math/vector.h"
+#include "scene/input_error.h"
 
 /// What every stress test is made of. A test is a number of independent trials, done in blocks; a
 /// block's random numbers depend on the seed and on its number alone, so that a run gives the same
@@ -112,6 +114,16 @@ struct Tally {
     }
 };
 
+/// A thing of a scene in float, or nothing where its range or its digits do not do and the scene is
+/// refused.
+template <class Thing, class Scene> std::optional<Thing> if_accepted(const Scene& scene) {
+    try {
+        return std::optional<Thing>(std::in_place, scene);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 struct Row {
     std::string_view name;   ///< on the command line
     std::string_view tried;  ///< for people: what is tried
@@ -123,6 +135,8 @@ struct Row {
     std::uint64_t block;     ///< trials that share their random numbers
     /// Does about `trials` trials.
     std::function<Tally(Random&, std::uint64_t trials)> run;
+    /// Instead of it, where the trials are a list: does those from `first` on.
+    std::function<Tally(std::uint64_t first, std::uint64_t trials)> run_range = {};
 };
 
 Row spheres();
@@ -134,6 +148,7 @@ Row hierarchy();
 Row refraction();
 Row corridors();
 Row extremes();
+Row trees();
 
 inline std::ostream& operator<<(std::ostream& out, const Vec3<double>& v) {
     return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
