@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QSlider>
 #include <QStyle>
 #include <QTimer>
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "state/commands.h"
+#include "state/palette.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -62,13 +64,14 @@ StepsPane::StepsPane(State& state, QWidget* parent)
     });
     connect(timer_, &QTimer::timeout, this, [this] { state_.tick(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
+    colour_signs();
     show_step();
 }
 
 QToolButton* StepsPane::button(const char* command, int icon) {
     auto* const made = new QToolButton;
     const Command& of = *find_command(command);
-    made->setIcon(style()->standardIcon(static_cast<QStyle::StandardPixmap>(icon)));
+    made->setProperty("sign", icon);
     made->setAccessibleName(qt(of.title));
     made->setToolTip(qt(of.help) +
                      QStringLiteral("  (%1)").arg(qt(of.keys.substr(0, of.keys.find(' ', 1)))));
@@ -92,7 +95,6 @@ QWidget* StepsPane::make_buttons() {
          {std::pair("step.slower", "Slower"), std::pair("step.faster", "Faster"),
           std::pair("step.by_levels", "Levels")}) {
         QToolButton* const made = button(command, QStyle::SP_MediaPlay);
-        made->setIcon({});
         made->setText(QString::fromUtf8(title));
         made->setToolButtonStyle(Qt::ToolButtonTextOnly);
         layout->addWidget(made);
@@ -106,14 +108,31 @@ QWidget* StepsPane::make_buttons() {
     return box;
 }
 
+/// The style's own signs, in the theme's colour.
+void StepsPane::colour_signs() {
+    const QColor ink = qt(palette_of(state_.look().theme).text);
+    for (QToolButton* const made : findChildren<QToolButton*>()) {
+        const bool plays = made == play_ && state_.playing();
+        const int sign = plays ? QStyle::SP_MediaPause : made->property("sign").toInt();
+        if (made->text().isEmpty()) {
+            QPixmap picture =
+                style()->standardIcon(static_cast<QStyle::StandardPixmap>(sign)).pixmap(16, 16);
+            QPainter painter(&picture);
+            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+            painter.fillRect(picture.rect(), ink);
+            painter.end();
+            made->setIcon(picture);
+        }
+    }
+}
+
 void StepsPane::run(const char* command) { run_command(state_, command); }
 
 QString StepsPane::event() const { return event_->text(); }
 
 void StepsPane::obey(const Changes& changes) {
     if (changes.playback || changes.tree || changes.look) {
-        const int icon = state_.playing() ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay;
-        play_->setIcon(style()->standardIcon(static_cast<QStyle::StandardPixmap>(icon)));
+        colour_signs();
         timer_->setInterval(static_cast<int>(1000 / state_.pace()));
         state_.playing() ? (timer_->isActive() ? void() : timer_->start()) : timer_->stop();
         show_step();
