@@ -21,5 +21,6 @@ Command render_command(CLI::App& program);
 Command info_command(CLI::App& program);
 Command check_command(CLI::App& program);
 Command convert_command(CLI::App& program);
+Command lesson_command(CLI::App& program);
 
 }  // namespace raytree::cli

@@ -9,6 +9,7 @@
 #include "formats/tree_dot.h"
 #include "formats/tree_json.h"
 #include "formats/tree_svg.h"
+#include "formats/tree_template.h"
 #include "formats/tree_text.h"
 #include "formats/tree_vtp.h"
 #include "scene_arguments.h"
@@ -23,7 +24,8 @@ constexpr const char* examples =
     "Examples:\n"
     "  raytree trace scene.json --pixel 320,240 --as text      to read in the terminal\n"
     "  raytree trace scene.json --pixel 320,240 -o tree.json   to compare or open\n"
-    "  raytree trace scene.json --pixel 320,240 -o tree.svg    as a drawing";
+    "  raytree trace scene.json --pixel 320,240 -o tree.svg    as a drawing\n"
+    "  raytree trace scene.json --pixel 320,240 --template --as text   an exercise on paper";
 
 enum class TreeFormat { json, text, dot, svg, vtp };
 constexpr std::array<std::string_view, 5> format_words = {"json", "text", "dot", "svg", "vtp"};
@@ -34,6 +36,7 @@ struct Arguments {
     std::string output = "-";
     std::optional<TreeFormat> as;
     bool embed_scene = false;
+    bool empty = false;  ///< the tree without its numbers
     Precision precision = Precision::twice;
 };
 
@@ -59,8 +62,18 @@ bool wants_colour(const std::string& output) {
     return output == "-" && isatty(STDOUT_FILENO) == 1 && (!no_colour || *no_colour == '\0');
 }
 
+/// The tree to be filled in by hand.
+template <class T> std::string to_fill_in(const RayTree<T>& tree, const Arguments& arguments) {
+    return format_of(arguments) == TreeFormat::text
+               ? write_tree_template_text(tree_cast<double>(tree))
+               : write_tree_template_json(tree_cast<double>(tree));
+}
+
 template <class T>
 std::string written(const RayTree<T>& tree, const Scene& scene, const Arguments& arguments) {
+    if (arguments.empty) {
+        return to_fill_in(tree, arguments);
+    }
     switch (format_of(arguments)) {
         case TreeFormat::text:
             return write_tree_text(tree_cast<double>(tree),
@@ -76,7 +89,18 @@ std::string written(const RayTree<T>& tree, const Scene& scene, const Arguments&
     }
 }
 
+void expect_sense(const Arguments& arguments) {
+    const TreeFormat as = format_of(arguments);
+    if (arguments.empty && as != TreeFormat::json && as != TreeFormat::text) {
+        throw Misuse("--template is written as json or as text only");
+    }
+    if (arguments.empty && arguments.embed_scene) {
+        throw Misuse("--template and --embed-scene do not go together");
+    }
+}
+
 int trace(const Arguments& arguments) {
+    expect_sense(arguments);
     expect_writable(arguments.output, arguments.scene.file);
     const LoadedScene loaded = arguments.scene.load();
     const std::string text = with_arithmetic(arguments.precision, [&]<class T>() {
@@ -114,6 +138,8 @@ Command trace_command(CLI::App& program) {
                   arguments->as = static_cast<TreeFormat>(one_of("--as", text, format_words));
               });
     app->add_flag("--embed-scene", arguments->embed_scene, "put the whole scene into the json");
+    app->add_flag("--template", arguments->empty,
+                  "the rays without their numbers, to be filled in by hand\n(json or text)");
     add_precision(*app, arguments->precision);
     add_scene_arguments(*app, arguments->scene);
     return {app, [arguments] { return trace(*arguments); }};

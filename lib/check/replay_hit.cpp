@@ -31,7 +31,7 @@ bool Replay::meet_given(At at, Step& step, const std::optional<Hit<double>>& hit
     const bool named = submission_.gives(at.ray, Field::object);
     const bool same = hit && (!named || names_.means(given.object, hit->primitive));
     if (same) {
-        ++compared_;
+        compared_ += named ? 1 : 0;
         double t = hit->t;
         see(at, Field::t, t, largest_component(step.origin) + abs(t), taint);
         land(place_, laws_, step, hit->primitive, t);

@@ -66,6 +66,24 @@ def bushy(document, rays=1 << 15):
     return {**document, "rays": [{"id": 0, "kind": "primary", **wrong}, *branches]}
 
 
+def filled(bench, *keys):
+    """The template of the tree with some of its numbers filled in, as the tree has them."""
+    document = json.loads(bench.run(f"trace scene.json --pixel {PIXEL} --template").stdout)
+    for empty, full in zip(document["rays"], tree(bench)["rays"]):
+        for key in keys:
+            if key in empty:
+                empty[key] = full[key]
+            elif key in empty.get("hit", {}):
+                empty["hit"][key] = full["hit"][key]
+    return document
+
+
+def wrongly_filled(bench):
+    document = filled(bench, "origin", "t")
+    document["rays"][0]["hit"]["t"] = 1
+    return document
+
+
 def inputs(bench):
     (bench.folder / "class").mkdir()
     bench.write("right.json", json.dumps(tree(bench)))
@@ -73,6 +91,9 @@ def inputs(bench):
     bench.write("stretched.json", json.dumps(stretched(tree(bench))))
     bench.write("dark.json", json.dumps(without_ambient(tree(bench))))
     bench.write("missing.json", json.dumps(without_a_ray(tree(bench))))
+    bench.write("empty.json", json.dumps(filled(bench)))
+    bench.write("partly.json", json.dumps(filled(bench, "origin", "t", "intensity")))
+    bench.write("partly-wrong.json", json.dumps(wrongly_filled(bench)))
     bench.write("cut.json", json.dumps(tree(bench))[:500])
     bench.write("crowded.json", json.dumps(crowded(tree(bench))))
     bench.write("bushy.json", json.dumps(bushy(tree(bench))))
@@ -89,6 +110,11 @@ CASES = [
     ("required", "nested.json --scene scene.json --require weight", 1, r"weight.*required"),
     ("a mistake", "dark.json --scene scene.json", 1, r"(?s): fail.*lit\.ambient_missing"),
     ("a missing ray", "missing.json --scene scene.json", 1, r"(?s): fail.*lacks its reflected ray"),
+    ("a template as it is", "empty.json --scene scene.json", 1, r"(?s): fail.*no quantity"),
+    ("a template partly filled in", "partly.json --scene scene.json",
+     0, r"(?s): pass.*normal is not given by any ray"),
+    ("a template filled in wrongly", "partly-wrong.json --scene scene.json",
+     1, r"(?s): fail.*t is 1, must be"),
     ("cut off", "cut.json --scene scene.json", 1, r": unreadable"),
     ("too many rays, within 10 s", "crowded.json --scene scene.json", 1, r": fail"),
     ("both branches of all, within 10 s", "bushy.json --scene scene.json", 1, r": fail"),
