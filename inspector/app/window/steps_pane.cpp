@@ -113,7 +113,8 @@ void StepsPane::colour_signs() {
     const QColor ink = qt(palette_of(state_.look().theme).text);
     for (QToolButton* const made : findChildren<QToolButton*>()) {
         const bool plays = made == play_ && state_.playing();
-        const int sign = plays ? QStyle::SP_MediaPause : made->property("sign").toInt();
+        const int sign =
+            plays ? static_cast<int>(QStyle::SP_MediaPause) : made->property("sign").toInt();
         if (made->text().isEmpty()) {
             QPixmap picture =
                 style()->standardIcon(static_cast<QStyle::StandardPixmap>(sign)).pixmap(16, 16);
