@@ -108,8 +108,8 @@ std::vector<CallText> call_texts(const Playback& playback, std::size_t most) {
         }
         const TreeRay<double>& ray = playback.tree().rays[call.ray];
         const bool has_sum = ray.hit && playback.stage(call.ray) == Stage::found;
-        texts.push_back({call.ray, short_title(ray) + ", level " + std::to_string(ray.level),
-                         waiting_for(playback, call), has_sum ? rgb_text(call.sum) : ""});
+        texts.push_back({call.ray, short_title(ray), waiting_for(playback, call),
+                         has_sum ? rgb_text(call.sum) : ""});
     }
     return texts;
 }

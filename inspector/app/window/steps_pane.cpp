@@ -81,9 +81,13 @@ QToolButton* StepsPane::button(const char* command, int icon) {
 
 QWidget* StepsPane::make_buttons() {
     auto* const box = new QWidget;
-    auto* const layout = new QHBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    auto* const rows = new QVBoxLayout(box);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    auto* const layout = new QHBoxLayout;
+    auto* const below = new QHBoxLayout;
+    rows->addLayout(layout);
+    rows->addLayout(below);
     layout->addWidget(button("step.first", QStyle::SP_MediaSkipBackward));
     layout->addWidget(button("step.back", QStyle::SP_MediaSeekBackward));
     play_ = button("step.play", QStyle::SP_MediaPlay);
@@ -97,7 +101,7 @@ QWidget* StepsPane::make_buttons() {
         QToolButton* const made = button(command, QStyle::SP_MediaPlay);
         made->setText(QString::fromUtf8(title));
         made->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        layout->addWidget(made);
+        below->addWidget(made);
         if (find_command(command)->on) {
             made->setCheckable(true);
             state_.observe([this, made, command](const Changes&) {
@@ -105,6 +109,7 @@ QWidget* StepsPane::make_buttons() {
             });
         }
     }
+    below->addStretch(1);
     return box;
 }
 
