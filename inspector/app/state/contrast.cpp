@@ -7,6 +7,7 @@
 #include "check/conventions.h"
 #include "check/describe.h"
 #include "check/forge.h"
+#include "check/rulebook.h"
 #include "state/contrast_lines.h"
 #include "tree/explain.h"
 #include "tree/record.h"
@@ -37,17 +38,20 @@ void graft(PixelTree& shown, Contrast& contrast) {
 
 /// The truth by the conventions of whoever recorded the tree.
 PixelTree truth_for(const TreeSource& source, const std::string& profile) {
+    const check::Rulebooks books(source.document->scene(),
+                                 source.document->loaded().format == SceneFormat::course_text);
+    const check::Rulebook& book = books.of(check::profile_named(profile));
     PixelTree tree;
-    tree.tree =
-        check::forge_tree(source.document->world(), check::laws_of(check::profile_named(profile)),
-                          source.pixel.i, source.pixel.j);
+    tree.tree = check::forge_tree(book.place, book.laws, source.pixel.i, source.pixel.j);
     tree.children = children_of(tree.tree);
     return tree;
 }
 
 /// Holds the recorded tree against the truth.
 check::Report judged(const TreeSource& recorded, const TreeSource& traced) {
-    const check::Checker checker(traced.document->scene(), {});
+    const check::CheckOptions options;
+    options.course_text = traced.document->loaded().format == SceneFormat::course_text;
+    const check::Checker checker(traced.document->scene(), options);
     return checker.check(*recorded.recorded);
 }
 

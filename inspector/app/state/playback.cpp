@@ -54,15 +54,21 @@ std::string level_text(const Playback& playback) {
     }
 }
 
+/// "#3 refracted", "#4 shadow → key".
+std::string short_title(const TreeRay<double>& ray) {
+    return "#" + std::to_string(ray.id) + " " + std::string(word_of(ray.kind)) +
+           (ray.shadow ? " → " + ray.shadow->light : "");
+}
+
 std::string waiting_for(const Playback& playback, const OpenCall& call) {
     const RayTree<double>& tree = playback.tree();
     if (playback.stage(call.ray) == Stage::sent) {
         return tree.rays[call.ray].shadow ? "what is in between" : "its hit";
     }
     if (!call.child) {
-        return "what comes next from its hit";
+        return "what comes next";
     }
-    return title_of(tree.rays[*call.child]);
+    return short_title(tree.rays[*call.child]);
 }
 
 }  // namespace
@@ -102,8 +108,8 @@ std::vector<CallText> call_texts(const Playback& playback, std::size_t most) {
         }
         const TreeRay<double>& ray = playback.tree().rays[call.ray];
         const bool has_sum = ray.hit && playback.stage(call.ray) == Stage::found;
-        texts.push_back({call.ray, title_of(ray) + ", level " + std::to_string(ray.level),
-                         waiting_for(playback, call), has_sum ? rgb_text(call.sum) : ""});
+        texts.push_back({call.ray, short_title(ray), waiting_for(playback, call),
+                         has_sum ? rgb_text(call.sum) : ""});
     }
     return texts;
 }

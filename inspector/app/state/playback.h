@@ -50,8 +50,8 @@ std::string event_text(const Playback& playback);
 /// An open call in words.
 struct CallText {
     std::size_t ray = 0;
-    std::string title;      ///< "#3 refracted ray, level 2"
-    std::string waits_for;  ///< "its hit", "#4 shadow ray to key"
+    std::string title;      ///< "#3 refracted"
+    std::string waits_for;  ///< "its hit", "#4 shadow → key"
     std::string sum;        ///< what has come in so far; empty before the hit
 };
 /// The innermost call last. Of very many (level by level), the first `most`.

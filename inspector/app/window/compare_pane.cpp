@@ -113,9 +113,10 @@ void ComparePane::show_lines() {
         item->setData(0, Qt::UserRole, QVariant::fromValue<qulonglong>(line.ray));
         item->setToolTip(0, qt(text_of(line.mark).explained));
         item->setToolTip(1, qt(line.text));
-        QFont font = item->font(1);
+        QFont font = lines_->font();
         font.setBold(line.mark == RayMark::different);
         item->setFont(1, font);
+        item->setTextAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
     }
     QString remarks;
     for (const std::string& remark : contrast->remarks) {
@@ -126,7 +127,20 @@ void ComparePane::show_lines() {
         QStringLiteral("≠ differs, and here is why   ~ follows from another   − missing: only in "
                        "the reference   + extra: not in it"));
     following_ = false;
+    fit_rows();
     show_selection();
+}
+
+/// Each line is as high as its words need.
+void ComparePane::fit_rows() {
+    const int width = lines_->viewport()->width() - lines_->columnWidth(0) - 12;
+    for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* const item = lines_->topLevelItem(k);
+        const QRect room(0, 0, std::max(width, 60), 10'000);
+        const QRect words =
+            QFontMetrics(item->font(1)).boundingRect(room, Qt::TextWordWrap, item->text(1));
+        item->setSizeHint(1, {0, words.height() + 6});
+    }
 }
 
 void ComparePane::show_selection() {

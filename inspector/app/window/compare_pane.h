@@ -18,11 +18,15 @@ class ComparePane : public QWidget {
     QTreeWidget* lines() const { return lines_; }
     QString summary() const;
 
+  protected:
+    void resizeEvent(QResizeEvent*) override { fit_rows(); }
+
   private:
     QWidget* make_buttons();
     void obey(const Changes& changes);
     void show_lines();
     void show_selection();
+    void fit_rows();
 
     State& state_;
     QLabel *names_ = nullptr, *summary_ = nullptr, *remarks_ = nullptr, *legend_ = nullptr;

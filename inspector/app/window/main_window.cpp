@@ -200,7 +200,7 @@ void MainWindow::share_room() {
     }
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
-    resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
+    resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     resizeDocks({tree_dock_}, {below}, Qt::Vertical);
     resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);
 }
@@ -217,9 +217,15 @@ void MainWindow::obey(const Changes& changes) {
                                     .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
                                          qt(palette.rule).name()));
     }
+    if (changes.playback && state_.document()) {
+        show_status();
+    }
     if (changes.tree) {
         show_status();
         state_.tracing() ? tracing_.start() : tracing_.stop();
+    }
+    if (changes.side_pane && side_->isVisible()) {
+        resizeDocks({side_}, {std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     }
     if (changes.tree_pane) {
         show_tab();
@@ -252,7 +258,10 @@ void MainWindow::show_status() {
     setWindowTitle(qt(name.empty() ? document.file().filename().string() : name) +
                    QStringLiteral("[*] — raytree inspector"));
     if (state_.tree()) {
-        pixel_->setText(qt(pixel_text(state_.tree()->tree)));
+        const bool pending = state_.playback() && state_.playback()->stage(0) != Stage::evaluated;
+        pixel_->setText(pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
+                                      QStringLiteral("   … not known yet")
+                                : qt(pixel_text(state_.tree()->tree)));
         counts_->setText(qt(counts_text(state_.tree()->tree)));
     } else {
         pixel_->setText(QStringLiteral("Pixel ") + qt(text_of(state_.pixel())));

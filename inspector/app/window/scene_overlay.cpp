@@ -202,7 +202,9 @@ void add_marks(std::vector<SceneLabel>& labels, const State& state, const Extent
         const bool sent = !state.playback() || state.playback()->stage(ray.id) != Stage::unsent;
         const bool due = mark != RayMark::none && mark != RayMark::same && sent &&
                          shown(state.look().filter, *tree, ray) != Shown::hidden;
-        if (due && causes == (mark != RayMark::follows) && count < most_marks) {
+        const bool below_cut =
+            mark == RayMark::cut && ray.parent && tree->mark(*ray.parent) == RayMark::cut;
+        if (due && !below_cut && causes == (mark != RayMark::follows) && count < most_marks) {
             labels.push_back({along_way(ray, extent),
                               qt(std::string(text_of(mark).sign) + " " + number_of(*tree, ray.id)),
                               mark == RayMark::different});

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QSlider>
 #include <QStyle>
 #include <QTimer>
@@ -11,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "state/commands.h"
+#include "state/palette.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -62,13 +64,14 @@ StepsPane::StepsPane(State& state, QWidget* parent)
     });
     connect(timer_, &QTimer::timeout, this, [this] { state_.tick(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
+    colour_signs();
     show_step();
 }
 
 QToolButton* StepsPane::button(const char* command, int icon) {
     auto* const made = new QToolButton;
     const Command& of = *find_command(command);
-    made->setIcon(style()->standardIcon(static_cast<QStyle::StandardPixmap>(icon)));
+    made->setProperty("sign", icon);
     made->setAccessibleName(qt(of.title));
     made->setToolTip(qt(of.help) +
                      QStringLiteral("  (%1)").arg(qt(of.keys.substr(0, of.keys.find(' ', 1)))));
@@ -78,9 +81,13 @@ QToolButton* StepsPane::button(const char* command, int icon) {
 
 QWidget* StepsPane::make_buttons() {
     auto* const box = new QWidget;
-    auto* const layout = new QHBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
+    auto* const rows = new QVBoxLayout(box);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    auto* const layout = new QHBoxLayout;
+    auto* const below = new QHBoxLayout;
+    rows->addLayout(layout);
+    rows->addLayout(below);
     layout->addWidget(button("step.first", QStyle::SP_MediaSkipBackward));
     layout->addWidget(button("step.back", QStyle::SP_MediaSeekBackward));
     play_ = button("step.play", QStyle::SP_MediaPlay);
@@ -92,10 +99,9 @@ QWidget* StepsPane::make_buttons() {
          {std::pair("step.slower", "Slower"), std::pair("step.faster", "Faster"),
           std::pair("step.by_levels", "Levels")}) {
         QToolButton* const made = button(command, QStyle::SP_MediaPlay);
-        made->setIcon({});
         made->setText(QString::fromUtf8(title));
         made->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        layout->addWidget(made);
+        below->addWidget(made);
         if (find_command(command)->on) {
             made->setCheckable(true);
             state_.observe([this, made, command](const Changes&) {
@@ -103,7 +109,27 @@ QWidget* StepsPane::make_buttons() {
             });
         }
     }
+    below->addStretch(1);
     return box;
+}
+
+/// The style's own signs, in the theme's colour.
+void StepsPane::colour_signs() {
+    const QColor ink = qt(palette_of(state_.look().theme).text);
+    for (QToolButton* const made : findChildren<QToolButton*>()) {
+        const bool plays = made == play_ && state_.playing();
+        const int sign =
+            plays ? static_cast<int>(QStyle::SP_MediaPause) : made->property("sign").toInt();
+        if (made->text().isEmpty()) {
+            QPixmap picture =
+                style()->standardIcon(static_cast<QStyle::StandardPixmap>(sign)).pixmap(16, 16);
+            QPainter painter(&picture);
+            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+            painter.fillRect(picture.rect(), ink);
+            painter.end();
+            made->setIcon(picture);
+        }
+    }
 }
 
 void StepsPane::run(const char* command) { run_command(state_, command); }
@@ -112,8 +138,7 @@ QString StepsPane::event() const { return event_->text(); }
 
 void StepsPane::obey(const Changes& changes) {
     if (changes.playback || changes.tree || changes.look) {
-        const int icon = state_.playing() ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay;
-        play_->setIcon(style()->standardIcon(static_cast<QStyle::StandardPixmap>(icon)));
+        colour_signs();
         timer_->setInterval(static_cast<int>(1000 / state_.pace()));
         state_.playing() ? (timer_->isActive() ? void() : timer_->start()) : timer_->stop();
         show_step();

@@ -26,6 +26,7 @@ class StepsPane : public QWidget {
     QToolButton* button(const char* command, int icon);
     void run(const char* command);
     void obey(const Changes& changes);
+    void colour_signs();
     void show_step();
     void show_calls(const Playback& playback);
 
