@@ -49,7 +49,7 @@ PixelTree truth_for(const TreeSource& source, const std::string& profile) {
 
 /// Holds the recorded tree against the truth.
 check::Report judged(const TreeSource& recorded, const TreeSource& traced) {
-    const check::CheckOptions options;
+    check::CheckOptions options;
     options.course_text = traced.document->loaded().format == SceneFormat::course_text;
     const check::Checker checker(traced.document->scene(), options);
     return checker.check(*recorded.recorded);
