@@ -20,6 +20,7 @@ std::span<const Command> overlay_commands();
 std::span<const Command> ray_commands();
 std::span<const Command> view_commands();
 std::span<const Command> tree_commands();
+std::span<const Command> explain_commands();
 std::span<const Command> lesson_commands();
 std::span<const Command> help_commands();
 

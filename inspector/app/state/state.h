@@ -9,6 +9,7 @@
 
 #include "state/document.h"
 #include "state/explained.h"
+#include "state/explanation.h"
 #include "state/history.h"
 #include "state/lesson_run.h"
 #include "state/palette.h"
@@ -136,6 +137,8 @@ class State {
 
     const Explained& explained() const { return explained_; }
     void explain(const std::function<void(Explained&)>& change);
+    /// Worked out when it is asked for. There must be a document.
+    const Explanation& explanation() const;
 
   private:
     void stage(const lesson::Show& show);
@@ -163,6 +166,8 @@ class State {
     std::filesystem::path lesson_folder_;
     bool staging_ = false;  ///< the views are being set as a step wants them
     Explained explained_;
+    int explained_version_ = 0;
+    mutable Explainer explainer_;
     std::vector<Observer> observers_;
 };
 

@@ -165,7 +165,12 @@ void State::exchange(std::shared_ptr<const Document> document) {
 
 void State::explain(const std::function<void(Explained&)>& change) {
     change(explained_);
+    ++explained_version_;
     tell({.explained = true});
+}
+
+const Explanation& State::explanation() const {
+    return explainer_.explain(document_, tree_, pixel_, selected_, explained_, explained_version_);
 }
 
 void State::answer_by_pixel() {

@@ -5,6 +5,7 @@
 
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/formula_details.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
 
@@ -38,9 +39,16 @@ class Writer {
         }
     }
 
-    void section(const DetailSection& section) {
-        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1'><b>%2</b></p>")
-                     .arg(qt(palette_.accent).name(), qt(section.title).toHtmlEscaped());
+    /// A section that a lesson talks about bears a mark.
+    void section(const DetailSection& section, bool marked = false) {
+        const QString mark = marked
+                                 ? QStringLiteral("; background-color:%1")
+                                       .arg(qt(mixed(palette_.panel, palette_.accent, 0.22)).name())
+                                 : QString();
+        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1%2'><b>%3%4</b></p>")
+                     .arg(qt(palette_.accent).name(), mark,
+                          marked ? QStringLiteral("<a name='marked'></a>▸ ") : QString(),
+                          qt(section.title).toHtmlEscaped());
         if (!section.rows.empty()) {
             html_ += QStringLiteral("<table cellspacing='0' cellpadding='1' width='100%'>");
             for (const DetailRow& row : section.rows) {
@@ -103,7 +111,8 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     setOpenLinks(false);
     document()->setDocumentMargin(8);
     state_.observe([this](const Changes& changes) {
-        if (changes.selection || changes.tree || changes.look) {
+        if (changes.selection || changes.tree || changes.look || changes.lesson ||
+            changes.explained) {
             show_ray();
         }
     });
@@ -118,16 +127,21 @@ void DetailsPane::show_ray() {
     Writer writer(palette, state_.tree()->tree.settings.quantize);
     writer.heading(*state_.selected());
     writer.equation(*state_.selected());
-    for (const DetailSection& section : details_of(*state_.tree(), state_.selected()->id)) {
-        writer.section(section);
-    }
-    const Derivation derivation =
-        derive(state_.document()->world(), state_.tree()->tree, state_.selected()->id);
-    for (const DetailSection& section : derivation_details(derivation)) {
-        writer.section(section);
-    }
+    const auto formula = marked_formula(state_);
+    const auto write = [&](const std::vector<DetailSection>& sections) {
+        for (const DetailSection& section : sections) {
+            writer.section(section, formula && is_about(section, *formula));
+        }
+    };
+    write(formula_details(state_));
+    write(details_of(*state_.tree(), state_.selected()->id));
+    write(derivation_details(
+        derive(state_.document()->world(), state_.tree()->tree, state_.selected()->id)));
     setHtml(writer.take());
     verticalScrollBar()->setValue(0);
+    if (formula) {
+        scrollToAnchor(QStringLiteral("marked"));
+    }
 }
 
 }  // namespace raytree::inspector

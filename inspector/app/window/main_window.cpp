@@ -19,6 +19,7 @@
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
+#include "window/explained_pane.h"
 #include "window/exporter.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
@@ -79,8 +80,10 @@ void MainWindow::add_tree_dock() {
     counts_pane_ = new CountsPane(state_);
     tree_panes_ = new QStackedWidget;
     tabs_ = new QTabBar;
-    const std::pair<const char*, QWidget*> panes[] = {
-        {"Ray tree", outline_}, {"Diagram", diagram_}, {"Counts", counts_pane_}};
+    const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
+                                                      {"Diagram", diagram_},
+                                                      {"Counts", counts_pane_},
+                                                      {"Explained", new ExplainedPane(state_)}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));
         tree_panes_->addWidget(pane);

@@ -8,6 +8,7 @@
 
 #include "formats/output_file.h"
 #include "state/commands.h"
+#include "window/contact_sheet.h"
 #include "window/exporter.h"
 #include "window/main_window.h"
 #include "window/scene_pane.h"
@@ -49,8 +50,9 @@ void prepare_qt() {
 int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
     prepare_qt();
     // A screenshot has the size asked for on every display.
-    QApplication::setAttribute(options.screenshot ? Qt::AA_DisableHighDpiScaling
-                                                  : Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(options.screenshot || options.contact_sheet
+                                   ? Qt::AA_DisableHighDpiScaling
+                                   : Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication application(argc, argv);
     QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
@@ -67,6 +69,13 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     QApplication::processEvents();  // the panes take their sizes
     for (const std::string& line : options.script) {
         run_line(state, line);
+    }
+    if (options.contact_sheet) {
+        write_contact_sheet(state, *options.contact_sheet, [&] {
+            wait_until_drawn(state, window);
+            return png_of(window);
+        });
+        return 0;
     }
     if (options.screenshot) {
         take_screenshot(state, window, *options.screenshot);

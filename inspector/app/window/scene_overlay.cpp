@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drawing/explained_mesh.h"
 #include "drawing/ray_mesh.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
@@ -153,6 +154,9 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, b
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true});
+    }
+    for (const ExplainedMark& mark : explained_marks(state, extent)) {
+        labels.push_back({mark.at, qt(mark.words), true});
     }
     for (const Light& light : scene.lights) {
         labels.push_back({place_of(light, extent), qt(light.name), false});

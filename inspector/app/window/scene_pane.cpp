@@ -88,7 +88,8 @@ void ScenePane::obey(const Changes& changes) {
         view.up = changes.view_from->up;
         change_view(view);
     }
-    if (changes.document || changes.tree || changes.selection || changes.look) {
+    if (changes.document || changes.tree || changes.selection || changes.look ||
+        changes.explained) {
         redraw();
     }
 }
@@ -181,6 +182,7 @@ bool ScenePane::prepare_frame() {
         scene3d_.set_rays(state_.tree() ? ray_meshes({paths_, *state_.tree(), state_.selected()->id,
                                                       extent_, view_, palette})
                                         : RayMeshes{});
+        scene3d_.set_explained(explained_mesh(state_, extent_, view_));
         scene3d_.set_view(view_);
     }
     return changed;
