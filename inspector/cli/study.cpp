@@ -4,7 +4,6 @@
 #include "command.h"
 #include "formats/image.h"
 #include "formats/output_file.h"
-#include "formats/scene_json.h"
 #include "lesson/features.h"
 #include "scene_arguments.h"
 #include "trace/depth_picture.h"
@@ -53,14 +52,6 @@ lesson::Show shown(const Arguments& arguments) {
     return show;
 }
 
-std::shared_ptr<const lesson::StagedScene> staged(const Arguments& arguments) {
-    auto scene = std::make_shared<lesson::StagedScene>();
-    scene->file = arguments.scene.file;
-    scene->loaded = arguments.scene.load();
-    scene->document = Json::parse(write_scene_json(scene->loaded.scene));
-    return scene;
-}
-
 /// Near is bright; what the light does not see is black. The sides of a cube one below the other.
 void write_depth_picture(const lesson::StageWorld& world, const Arguments& arguments) {
     if (arguments.light.empty()) {
@@ -95,8 +86,8 @@ int study(const Arguments& arguments) {
     if (!arguments.depth_picture.empty()) {
         expect_writable(arguments.depth_picture, arguments.scene.file);
     }
-    const auto world =
-        std::make_shared<const lesson::StageWorld>(staged(arguments), lesson::the_tracer());
+    const auto world = std::make_shared<const lesson::StageWorld>(
+        lesson::as_it_is(arguments.scene.file, arguments.scene.load()), lesson::the_tracer());
     try {
         const auto scope = lesson::pixel_scope(world, shown(arguments), {});
         Json answers = Json::object();

@@ -10,12 +10,24 @@ namespace raytree::lesson {
 
 /// A part of an expression.
 struct Expression::Node {
-    enum class Kind { literal, name, member, element, call, list, negate, negation, binary };
+    enum class Kind {
+        literal,
+        name,
+        member,
+        element,
+        call,
+        call_of,
+        list,
+        negate,
+        negation,
+        binary
+    };
 
     Kind kind = Kind::literal;
     std::string text;  ///< a name, or the operator
     Json literal;
-    std::vector<Node> parts;  ///< of a comparison a third one: the tolerance
+    std::vector<Node> parts;  ///< of a comparison a third one: the tolerance;
+                              ///< of call_of the thing called first
 };
 
 /// Throws ExpressionError.

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import checking
 import inputs
+import lessons
 import pictures
 import terminal
 from cases import COMMANDS
@@ -114,7 +115,8 @@ def bad_input(bench):
 
 GROUPS = {"commands": commands, "bad_input": bad_input, "check": checking.checking,
           "limits": pictures.limits, "pictures": pictures.pictures,
-          "shared_data": pictures.shared_data, "terminal": terminal.terminal}
+          "shared_data": pictures.shared_data, "terminal": terminal.terminal,
+          "lesson": lessons.lessons}
 
 
 def main():
