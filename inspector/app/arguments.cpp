@@ -68,6 +68,8 @@ void take_option(Arguments& arguments, const std::string& option, const std::str
         arguments.compare = value;
     } else if (option == "--screenshot") {
         arguments.window.screenshot = value;
+    } else if (option == "--contact-sheet") {
+        arguments.window.contact_sheet = value;
     } else if (option == "--script") {
         arguments.window.script = lines_of(read_input(value));
     } else if (option == "--size") {
@@ -132,6 +134,7 @@ SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.js
   --theme light|dark  the colours of the window
   --size WxH          the size of the window; 1280x800 unless said otherwise
   --script FILE       runs the commands in FILE, one to a line, such as: pixel.pick 320,240
+  --contact-sheet FOLDER  draws every step of every lesson into files, and ends
   --screenshot FILE   draws the window, writes it as PNG, and ends
   --help, --version
 

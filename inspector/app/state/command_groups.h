@@ -26,6 +26,7 @@ std::span<const Command> filter_commands();
 std::span<const Command> thing_commands();
 std::span<const Command> table_commands();
 std::span<const Command> tree_commands();
+std::span<const Command> explain_commands();
 std::span<const Command> lesson_commands();
 std::span<const Command> help_commands();
 

@@ -52,6 +52,8 @@ void State::show_again() const {
           .look = true,
           .tree_pane = true,
           .message = true,
+          .lesson = true,
+          .explained = true,
           .playback = true,
           .side_pane = true});
 }
@@ -157,6 +159,7 @@ void State::select(std::size_t ray) {
         selected_ = ray;
         thing_.reset();
         tell({.selection = true});
+        answer_by_ray();
     }
 }
 
@@ -164,7 +167,6 @@ void State::select(std::optional<Thing> thing) {
     if (document_ && thing_ != thing && (!thing || exists(document_->scene(), *thing))) {
         thing_ = thing;
         tell({.selection = true});
-        answer_by_ray();
     }
 }
 

@@ -9,6 +9,7 @@
 #include "state/document.h"
 #include "state/edits.h"
 #include "state/explained.h"
+#include "state/explanation.h"
 #include "state/history.h"
 #include "state/lesson_run.h"
 #include "state/palette.h"
@@ -47,6 +48,7 @@ struct TreePane {
 
 /// What stands in the place for lessons.
 enum class LessonSide { hidden, contents, lesson };
+
 /// What stands beside the 3D view.
 enum class SidePane { none, steps, change, compare };
 
@@ -85,14 +87,14 @@ struct Changes {
     bool tree_pane = false;
     bool table = false;
     bool message = false;
-    bool lesson = false;     ///< the lesson, its step, or what has been answered
-    bool explained = false;  ///< what is shown besides the rays
-    /// From where the 3D view is to look at things.
-    std::optional<lesson::FreeView> view_from = std::nullopt;
     bool values = false;    ///< the document is the same scene with other values
     bool coats = false;     ///< and its surfaces look different
     bool playback = false;  ///< how far the tree is stepped through
     bool side_pane = false;
+    bool lesson = false;     ///< the lesson, its step, or what has been answered
+    bool explained = false;  ///< what is shown besides the rays
+    /// From where the 3D view is to look at things.
+    std::optional<lesson::FreeView> view_from = std::nullopt;
     std::optional<Request> request = std::nullopt;
     std::string text = {};  ///< of a request: the file to write, or the text to copy
 };
@@ -222,6 +224,8 @@ class State {
 
     const Explained& explained() const { return explained_; }
     void explain(const std::function<void(Explained&)>& change);
+    /// Worked out when it is asked for. There must be a document.
+    const Explanation& explanation() const;
 
   private:
     void stage(const lesson::Show& show);
@@ -230,6 +234,7 @@ class State {
     void exchange(std::shared_ptr<const Document> document);
     void answer_by_pixel();
     void answer_by_ray();
+
     /// What trees are compared with.
     struct Against {
         Contrast::What what = Contrast::What::pixel;
@@ -265,11 +270,6 @@ class State {
     TreePane tree_pane_;
     Table table_;
     std::string message_;
-    std::unique_ptr<LessonRun> lesson_;
-    LessonSide lesson_side_ = LessonSide::hidden;
-    std::filesystem::path lesson_folder_;
-    bool staging_ = false;  ///< the views are being set as a step wants them
-    Explained explained_;
     std::string notes_;  ///< on the open file
     SidePane side_pane_ = SidePane::none;
     std::optional<Playback> playback_;
@@ -282,6 +282,13 @@ class State {
     std::optional<std::filesystem::path> own_file_;
     std::optional<Against> against_;
     std::optional<std::size_t> keep_selected_;  ///< in the tree before
+    std::unique_ptr<LessonRun> lesson_;
+    LessonSide lesson_side_ = LessonSide::hidden;
+    std::filesystem::path lesson_folder_;
+    bool staging_ = false;  ///< the views are being set as a step wants them
+    Explained explained_;
+    int explained_version_ = 0;
+    mutable Explainer explainer_;
     std::vector<Observer> observers_;
 };
 

@@ -176,20 +176,18 @@ void State::try_value(double value) {
 /// Another document in the place of this one, seen in the same way.
 void State::exchange(std::shared_ptr<const Document> document) {
     edits_.begin(values_of(document->scene()));
-    document_ = std::move(document);
-    before_.reset();
-    playback_.reset();
-    const std::size_t selected = selected_;
-    trace();
+    install(std::move(document), nullptr, true);
     poll(patience);
-    selected_ = tree_ && selected < tree_->tree.rays.size() ? selected : 0;
-    tell({.document = true, .tree = true, .selection = true, .message = true});
-    take_view(lesson_->here().show.view);
 }
 
 void State::explain(const std::function<void(Explained&)>& change) {
     change(explained_);
+    ++explained_version_;
     tell({.explained = true});
+}
+
+const Explanation& State::explanation() const {
+    return explainer_.explain(document_, tree_, pixel_, selected_, explained_, explained_version_);
 }
 
 void State::answer_by_pixel() {

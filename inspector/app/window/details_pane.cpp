@@ -10,6 +10,7 @@
 #include "state/commands.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/formula_details.h"
 #include "state/marked_texts.h"
 #include "state/numbers.h"
 #include "state/thing_details.h"
@@ -46,9 +47,16 @@ class Writer {
         }
     }
 
-    void section(const DetailSection& section) {
-        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1'><b>%2</b></p>")
-                     .arg(qt(palette_.accent).name(), qt(section.title).toHtmlEscaped());
+    /// A section that a lesson talks about bears a mark.
+    void section(const DetailSection& section, bool marked = false) {
+        const QString mark = marked
+                                 ? QStringLiteral("; background-color:%1")
+                                       .arg(qt(mixed(palette_.panel, palette_.accent, 0.22)).name())
+                                 : QString();
+        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1%2'><b>%3%4</b></p>")
+                     .arg(qt(palette_.accent).name(), mark,
+                          marked ? QStringLiteral("<a name='marked'></a>▸ ") : QString(),
+                          qt(section.title).toHtmlEscaped());
         if (!section.rows.empty()) {
             html_ += QStringLiteral("<table cellspacing='0' cellpadding='1' width='100%'>");
             for (const DetailRow& row : section.rows) {
@@ -132,7 +140,8 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     connect(this, &QTextBrowser::anchorClicked, this, &DetailsPane::follow);
     connect(this, qOverload<const QUrl&>(&QTextBrowser::highlighted), this, &DetailsPane::hint);
     state_.observe([this](const Changes& changes) {
-        if (changes.selection || changes.tree || changes.look || changes.playback) {
+        if (changes.selection || changes.tree || changes.look || changes.playback ||
+            changes.lesson || changes.explained) {
             show_selection();
         }
         if (changes.request == Request::copy_number) {
@@ -162,6 +171,9 @@ void DetailsPane::show_selection() {
     numbers_ = writer.take_numbers();
     setHtml(writer.take());
     verticalScrollBar()->setValue(0);
+    if (marked_formula(state_) && !state_.thing()) {
+        scrollToAnchor(QStringLiteral("marked"));
+    }
 }
 
 template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
@@ -169,15 +181,17 @@ template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
     writer.heading(marked_title_of(*state_.tree(), ray.id),
                    palette_of(state_.look().theme)[look_of(ray)]);
     writer.equation(ray);
-    const PixelTree& tree = *state_.tree();
-    for (const DetailSection& section : known_details(tree, ray.id, state_.playback())) {
-        writer.section(section);
-    }
-    if (can_derive(tree, ray.id, state_.playback())) {
-        const Derivation derivation = derive(state_.document()->world(), tree.tree, ray.id);
-        for (const DetailSection& section : derivation_details(derivation)) {
-            writer.section(section);
+    const auto formula = marked_formula(state_);
+    const auto write = [&](const std::vector<DetailSection>& sections) {
+        for (const DetailSection& section : sections) {
+            writer.section(section, formula && is_about(section, *formula));
         }
+    };
+    const PixelTree& tree = *state_.tree();
+    write(formula_details(state_));
+    write(known_details(tree, ray.id, state_.playback()));
+    if (can_derive(tree, ray.id, state_.playback())) {
+        write(derivation_details(derive(state_.document()->world(), tree.tree, ray.id)));
     }
 }
 

@@ -20,6 +20,7 @@
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
+#include "window/explained_pane.h"
 #include "window/exporter.h"
 #include "window/files.h"
 #include "window/filter_pane.h"
@@ -94,7 +95,8 @@ void MainWindow::add_tree_dock() {
     const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
                                                       {"Diagram", diagram_},
                                                       {"Counts", counts_pane_},
-                                                      {"Rays shown", filter_}};
+                                                      {"Rays shown", filter_},
+                                                      {"Explained", new ExplainedPane(state_)}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));
         tree_panes_->addWidget(pane);
@@ -197,6 +199,10 @@ void MainWindow::share_room() {
     if (teaches) {
         resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},
                     Qt::Horizontal);
+    }
+    if (teaches && side_->isVisibleTo(this)) {
+        resizeDocks({lesson_dock_, side_}, {height() * 55 / 100, height() * 45 / 100},
+                    Qt::Vertical);
     }
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));

@@ -8,6 +8,7 @@
 
 #include "formats/output_file.h"
 #include "state/commands.h"
+#include "window/contact_sheet.h"
 #include "window/exporter.h"
 #include "window/files.h"
 #include "window/main_window.h"
@@ -60,8 +61,9 @@ void prepare_qt() {
 int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
     prepare_qt();
     // A screenshot has the size asked for on every display.
-    QApplication::setAttribute(options.screenshot ? Qt::AA_DisableHighDpiScaling
-                                                  : Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(options.screenshot || options.contact_sheet
+                                   ? Qt::AA_DisableHighDpiScaling
+                                   : Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("raytree"));
@@ -73,7 +75,7 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     window.show();
     state.show_again();
     state.show_lesson_view();
-    if (!options.screenshot) {
+    if (!options.screenshot && !options.contact_sheet) {
         window.files().remember();
     }
     QApplication::processEvents();  // the panes take their sizes
@@ -83,6 +85,13 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     }
     if (!options.screenshot && options.script.empty()) {
         remember_table(state);
+    }
+    if (options.contact_sheet) {
+        write_contact_sheet(state, *options.contact_sheet, [&] {
+            wait_until_drawn(state, window);
+            return png_of(window);
+        });
+        return 0;
     }
     if (options.screenshot) {
         take_screenshot(state, window, *options.screenshot);

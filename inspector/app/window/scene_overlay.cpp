@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drawing/explained_mesh.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/words.h"
@@ -251,6 +252,9 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true});
+    }
+    for (const ExplainedMark& mark : explained_marks(state, extent)) {
+        labels.push_back({mark.at, qt(mark.words), true});
     }
     add_marks(labels, state, extent);
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {

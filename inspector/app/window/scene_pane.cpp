@@ -100,7 +100,8 @@ void ScenePane::obey(const Changes& changes) {
         view.up = changes.view_from->up;
         change_view(view);
     }
-    if (changes.document || changes.tree || changes.selection || changes.look || changes.playback) {
+    if (changes.document || changes.tree || changes.selection || changes.look || changes.playback ||
+        changes.explained) {
         redraw();
     }
 }
@@ -247,6 +248,7 @@ void ScenePane::prepare_rays() {
     }
     scene3d_.set_rays(rays);
     scene3d_.set_angles(angles);
+    scene3d_.set_explained(explained_mesh(state_, extent_, view_));
     scene3d_.set_view(view_);
     std::vector<SceneLabel> labels;
     for (const DrawnWords& words : angles.words) {
