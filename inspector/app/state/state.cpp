@@ -52,10 +52,10 @@ void State::show_again() const {
           .look = true,
           .tree_pane = true,
           .message = true,
-          .lesson = true,
-          .explained = true,
           .playback = true,
-          .side_pane = true});
+          .side_pane = true,
+          .lesson = true,
+          .explained = true});
 }
 
 void State::renew(Opened opened) {
