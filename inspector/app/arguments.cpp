@@ -64,8 +64,12 @@ void take_option(Arguments& arguments, const std::string& option, const std::str
         arguments.lessons = value;
     } else if (option == "--step") {
         arguments.step = step_from(value);
+    } else if (option == "--compare") {
+        arguments.compare = value;
     } else if (option == "--screenshot") {
         arguments.window.screenshot = value;
+    } else if (option == "--contact-sheet") {
+        arguments.window.contact_sheet = value;
     } else if (option == "--script") {
         arguments.window.script = lines_of(read_input(value));
     } else if (option == "--size") {
@@ -111,6 +115,7 @@ std::string help_text() {
   raytree-inspector --lesson spheres --step 3             a step of a lesson
   raytree-inspector scene.json --pixel 320,240            a scene, at a pixel
   raytree-inspector tree.json --scene scene.json          a ray tree and its scene
+  raytree-inspector scene.json --compare tree.json        a recorded tree against the true one
   raytree-inspector scene.nff --screenshot picture.png    draws the window once, into a file
 
 Usage: raytree-inspector [SCENE | TREE.json | --lesson NAME] [OPTION...]
@@ -118,8 +123,9 @@ Usage: raytree-inspector [SCENE | TREE.json | --lesson NAME] [OPTION...]
 Shows the ray tree of a pixel: in the picture, in 3D, as an outline, and in numbers.
 
 SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.json a ray tree
-(raytree/1.0).
+(raytree/1.0), which is shown as it is recorded, with raytree's own beside it.
 
+  --compare TREE      marks what is different in a recorded tree (raytree/1.0)
   --pixel I,J         column and row of the pixel, from 0 at the top left
   --scene SCENE       the scene of a tree that does not hold it
   --lesson NAME       opens a lesson, by its name or number
@@ -128,6 +134,7 @@ SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.js
   --theme light|dark  the colours of the window
   --size WxH          the size of the window; 1280x800 unless said otherwise
   --script FILE       runs the commands in FILE, one to a line, such as: pixel.pick 320,240
+  --contact-sheet FOLDER  draws every step of every lesson into files, and ends
   --screenshot FILE   draws the window, writes it as PNG, and ends
   --help, --version
 

@@ -14,8 +14,9 @@ namespace raytree::inspector {
 struct Arguments {
     bool help = false;
     bool version = false;
-    std::optional<std::filesystem::path> file;   ///< a scene or a tree
-    std::optional<std::filesystem::path> scene;  ///< of a tree that does not hold it
+    std::optional<std::filesystem::path> file;     ///< a scene or a tree
+    std::optional<std::filesystem::path> scene;    ///< of a tree that does not hold it
+    std::optional<std::filesystem::path> compare;  ///< a recorded tree
     std::optional<Pixel> pixel;
     std::optional<std::string> lesson;             ///< its name or number
     std::optional<std::filesystem::path> lessons;  ///< the folder that they are in

@@ -90,6 +90,9 @@ int run(int argc, char** argv) {
             stderr);
         return no_display;
     }
+    if (arguments.compare) {
+        state.compare_with(read_recorded(*arguments.compare));
+    }
     state.change_look([&](Look& look) { look.theme = arguments.theme; });
     return run_window(argc, argv, state, arguments.window);
 }

@@ -228,7 +228,8 @@ class WideBvhBuilder {
         }
         int bin_of(const Reference& reference, int axis) const {
             const float place = (reference.twice_center()[axis] - low[axis]) * factor[axis];
-            return std::min(static_cast<int>(place), bins - 1);
+            // The factor of centres that all but coincide is infinite.
+            return place > 0 ? static_cast<int>(std::min(place, static_cast<float>(bins - 1))) : 0;
         }
     };
 

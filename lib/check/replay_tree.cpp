@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/align.h"
 #include "check/replay_parts.h"
 
 namespace raytree::check {
@@ -13,12 +14,7 @@ constexpr std::size_t large_tree = 3000;
 }  // namespace
 
 std::size_t Replay::child(std::size_t parent, RayKind kind) const {
-    for (const std::size_t ray : submission_.children[parent]) {
-        if (submission_.tree.rays[ray].kind == kind) {
-            return ray;
-        }
-    }
-    return none;
+    return corresponding(submission_.tree, submission_.children[parent], kind, "").value_or(none);
 }
 
 /// The shadow ray to a light: by its name, else, where rays have no lights, by their order.
@@ -44,13 +40,7 @@ std::size_t Replay::true_child(std::size_t parent, RayKind kind, const std::stri
     if (parent == none || !options_.truth) {
         return none;
     }
-    for (const std::size_t ray : true_children_[parent]) {
-        const TreeRay<double>& of = options_.truth->rays[ray];
-        if (of.kind == kind && (!of.shadow || of.shadow->light == light)) {
-            return ray;
-        }
-    }
-    return none;
+    return corresponding(*options_.truth, true_children_[parent], kind, light).value_or(none);
 }
 
 /// A ray has one reflected and one refracted branch.

@@ -185,7 +185,8 @@ DepthAgreement agreement(const World<double>& world, std::size_t light, const De
             }
             const Ray<double> to_light{
                 surface.point, at.towards,
-                4 * Real<double>::unit_roundoff * largest_component(surface.point)};
+                4 * Real<double>::unit_roundoff * largest_component(surface.point),
+                front ? Going::outwards : Going::inwards};
             const Interval<double> between{0, at.distance * (1 - 8 * Real<double>::unit_roundoff)};
             const bool reached = !world.shapes.any(to_light, hit->primitive, between, count);
             const bool lit = compare(picture, surface.point, bias).lit;

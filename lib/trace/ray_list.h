@@ -38,17 +38,19 @@ template <class T> class RayListRecorder {
             listed.interval.to = *world_.max_distance - met_[parent].path;
         }
         rays.push_back(listed);
-        met_.push_back({no_primitive, met_[parent].path});
+        met_.push_back({no_primitive, met_[parent].path, true});
         return met_.size() - 1;
     }
     void hit(RayHandle handle, const HitEvent<T>& event) {
         met_[handle].on = event.hit.primitive;
+        met_[handle].front = event.front;
         met_[handle].path += event.hit.t;
     }
     void shadow(RayHandle handle, const ShadowEvent<T>& event) {
         const Vec3<T>& from = event.origin;
         rays.push_back(
-            {{from, event.at->towards, 4 * Real<T>::unit_roundoff * largest_component(from)},
+            {{from, event.at->towards, 4 * Real<T>::unit_roundoff * largest_component(from),
+              met_[handle].front ? Going::outwards : Going::inwards},
              met_[handle].on,
              {T(0), event.at->distance * (1 - 8 * Real<T>::unit_roundoff)},
              RayKind::shadow});
@@ -61,6 +63,7 @@ template <class T> class RayListRecorder {
     struct Met {
         PrimitiveId on = no_primitive;  ///< the shape that the ray has hit
         T path = 0;                     ///< length from the eye to its hit
+        bool front = true;              ///< of the surface
     };
 
     const World<T>& world_;

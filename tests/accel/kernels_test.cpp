@@ -210,6 +210,16 @@ TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {
     check_all(scene, rays.any_order(17));
 }
 
+TEST_CASE("kernels: shapes that all but coincide, in a scene that is much larger") {
+    Scene scene;
+    scene.materials.push_back({});
+    for (int k = 0; k < 40; ++k) {
+        test::add(scene, Sphere{Point(k * 3e-41, 0, 0), 1e-41});
+    }
+    test::add(scene, Sphere{{0, 0, 0}, 1});
+    check_scene(scene, 2, Point(0.0));
+}
+
 TEST_CASE("kernels: a triangle's float copies give it back to the last bit") {
     for (const bool floats : {true, false}) {
         Scene scene;

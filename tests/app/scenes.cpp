@@ -1,5 +1,6 @@
 #include "app/scenes.h"
 
+#include "state/commands.h"
 #include "support/scenes.h"
 
 namespace raytree::inspector::test {
@@ -47,5 +48,12 @@ std::shared_ptr<const Document> document_of(Scene scene) {
 }
 
 Opened opened(Scene scene) { return {document_of(std::move(scene)), std::nullopt, {}}; }
+
+void run_and_wait(State& state, std::string_view id, std::string_view argument) {
+    run_command(state, id, argument);
+    for (int k = 0; k < 600 && state.tracing(); ++k) {
+        state.poll(std::chrono::milliseconds(100));
+    }
+}
 
 }  // namespace raytree::inspector::test

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "state/document.h"
+#include "state/state.h"
 
 /// Scenes that the inspector's tests are made of.
 namespace raytree::inspector::test {
@@ -12,5 +12,8 @@ Scene glass_ball_scene();
 
 std::shared_ptr<const Document> document_of(Scene scene);
 Opened opened(Scene scene);
+
+/// Runs a command and waits for the tree that it asks for.
+void run_and_wait(State& state, std::string_view id, std::string_view argument = {});
 
 }  // namespace raytree::inspector::test

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "support/scenes.h"
 #include "tree/record.h"
 
@@ -64,6 +66,47 @@ Scene ball_before_wall() {
     scene.objects.push_back(
         {"wall", 1, {}, Polygon{{{-9, -9, -3}, {9, -9, -3}, {9, 9, -3}, {-9, 9, -3}}, {}}});
     return scene;
+}
+
+TEST_CASE("a cylinder along z: both roots of its circle, and the open end that spares one") {
+    const Cone cylinder{{0, 0, 0}, {0, 0, 4}, 1, 1};
+    // Across the axis at z = 2: in at x = 1, out at x = -1.
+    const ConeDerivation across = derive_cone(cylinder, {{3, 0, 2}, {-1, 0, 0}}, 2);
+    CHECK(across.slope == 0);
+    CHECK(across.a == Approx(1));
+    CHECK(across.b == Approx(-6));
+    CHECK(across.c == Approx(8));
+    CHECK(across.discriminant == Approx(4));
+    CHECK(across.roots[0] == Approx(2));
+    CHECK(across.roots[1] == Approx(4));
+    CHECK(across.heights[0] == Approx(2));
+    CHECK(across.taken == 0);
+    // From beyond the open end at 45 degrees: the first root lies above the cylinder.
+    const double s = std::sqrt(0.5);
+    const ConeDerivation slanted = derive_cone(cylinder, {{1.5, 0, 5}, {-s, 0, -s}}, 2.5 / s);
+    CHECK(slanted.heights[0] == Approx(4.5));
+    CHECK(slanted.heights[0] > slanted.height);
+    CHECK(slanted.heights[1] == Approx(2.5));
+    CHECK(slanted.taken == 1);
+}
+
+TEST_CASE(
+    "a cone with a half right angle: roots where |y| is 2 - x, and none of them a mirror image") {
+    const Cone cone{{0, 0, 0}, {2, 0, 0}, 2, 0};
+    // Level with y = 1, against x: it meets the surface at x = 1.
+    const ConeDerivation d = derive_cone(cone, {{5, 1, 0}, {-1, 0, 0}}, 4);
+    CHECK(d.slope == Approx(-1));
+    CHECK(d.height == Approx(2));
+    CHECK(d.a == Approx(-1));
+    CHECK(d.roots[0] == Approx(2));
+    CHECK(d.heights[0] == Approx(3));  // on the cone beyond its tip
+    CHECK(d.roots[1] == Approx(4));
+    CHECK(d.heights[1] == Approx(1));
+    CHECK(d.taken == 1);
+    // Parallel to a line of the cone there is one root alone.
+    const double s = std::sqrt(0.5);
+    const ConeDerivation along = derive_cone(cone, {{0, 1, 0}, {s, -s, 0}}, 0);
+    CHECK(std::isfinite(along.roots[0]));
 }
 
 TEST_CASE("along the way through a ball: what is met, what is taken, and the media") {

@@ -14,7 +14,8 @@ constexpr double dash = 11, longest_dashes = 160;
 constexpr double arrow_place = 0.6;  // of the way
 constexpr double halo_width = 3.2;
 constexpr int fade_steps = 8;
-constexpr std::uint8_t set_aside = 64;  // alpha of rays that do not belong to the selected one
+// Alpha of rays that do not belong to the selected one, and of those of another tree.
+constexpr std::uint8_t set_aside = 64, of_another = 140;
 
 class Builder {
   public:
@@ -29,11 +30,11 @@ class Builder {
     RayMeshes build() {
         const bool tubes = in_.paths.size() <= most_tubes;
         for (const RayPath& path : in_.paths) {
-            const bool stands_out = belongs(path.ray);
+            const std::uint8_t alpha = alpha_of(path);
             if (tubes || path.ray == in_.selected) {
-                add_path(path, stands_out ? 255 : set_aside);
+                add_path(path, alpha);
             } else {
-                add_lines(path, stands_out ? 255 : set_aside);
+                add_lines(path, alpha);
             }
             if (path.ray == in_.selected) {
                 add_halo(path);
@@ -51,6 +52,13 @@ class Builder {
         return in_.selected == 0 || ray == in_.selected ||
                in_.tree.tree.rays[ray].parent == in_.selected ||
                std::ranges::binary_search(ancestors_, ray);
+    }
+
+    std::uint8_t alpha_of(const RayPath& path) const {
+        if (!belongs(path.ray)) {
+            return set_aside;
+        }
+        return path.graft && path.ray != in_.selected ? of_another : 255;
     }
 
     double pixel_at(const Point3& p) const { return length_per_pixel(in_.view, p); }

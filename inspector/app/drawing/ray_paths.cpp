@@ -100,6 +100,7 @@ std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, cons
     paths.reserve(rays.size());
     for (const TreeRay<double>* const ray : rays) {
         paths.push_back(path_of(tree, *ray, extent));
+        paths.back().graft = !tree.is_own(ray->id);
     }
     return paths;
 }

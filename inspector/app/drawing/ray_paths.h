@@ -23,8 +23,9 @@ struct RayPath {
     double weight = 1;  ///< of the pixel, the largest channel, 0 to 1
     End end = End::hit;
     bool fades = false;  ///< it goes on beyond what is drawn of it
+    bool graft = false;  ///< only the tree has it that the shown one is compared with
 
-    bool dashed() const { return look == RayLook::lit || look == RayLook::blocked; }
+    bool dashed() const { return graft || look == RayLook::lit || look == RayLook::blocked; }
 };
 
 /// The rays of a tree that are not hidden as they are drawn, at most `most` of them: then those

@@ -84,8 +84,8 @@ class Builder {
         }
         // A chord leaves its arc by no more than a quarter of a pixel: r (1 - cos(pi / n)).
         const double pixels = (object.transform ? 0.1 * extent_.diagonal : radius) / pixel_;
-        const double wanted = std::clamp(4.5 * std::sqrt(pixels), 6.0, most_slices);
-        return std::max(6, static_cast<int>(finer_ * wanted));
+        const double wanted = std::clamp(4.5 * std::sqrt(pixels), 4.0, most_slices);
+        return std::max(4, static_cast<int>(finer_ * wanted));
     }
 
     void add(const Object& object) {
@@ -189,7 +189,7 @@ class Builder {
     }
 
     void add_shape(const Sphere& sphere, int slices) {
-        const int stacks = std::max(3, slices / 2);
+        const int stacks = std::max(2, slices / 2);
         add_surface(slices, stacks, std::max(1, slices / 12), true, [&](int column, int row) {
             const double around = 2 * std::numbers::pi * column / slices;
             const double polar = std::numbers::pi * row / stacks;

@@ -9,9 +9,10 @@ namespace {
 
 /// In the order of the menus.
 std::span<const Command> (*const groups[])() = {
-    file_commands, export_commands, pixel_commands,  overlay_commands,
-    ray_commands,  thing_commands,  view_commands,   filter_commands,
-    tree_commands, table_commands,  lesson_commands, help_commands,
+    file_commands,    export_commands,  change_commands, pixel_commands,
+    overlay_commands, ray_commands,     thing_commands,  step_commands,
+    compare_commands, view_commands,    filter_commands, tree_commands,
+    table_commands,   explain_commands, lesson_commands, help_commands,
 };
 
 std::vector<Command> joined() {

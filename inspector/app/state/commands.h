@@ -17,7 +17,7 @@ enum class Argument {
     new_file,  ///< to be written; the window asks for it
     pixel,     ///< I,J
     ray,       ///< a ray's number
-    text       ///< as the command's help says
+    words      ///< what the command's help says
 };
 
 struct Command {

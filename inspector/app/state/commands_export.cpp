@@ -51,7 +51,7 @@ constexpr Command table[] = {
                 write_view, has_scene, "png"),
     writes_file("export.window", "Window as an image…", "", "Writes the window as it is (.png).",
                 write<Request::export_window>, has_scene, "png"),
-    writes_file("export.scene", "Scene…", "Ctrl+S",
+    writes_file("export.scene", "Scene…", "",
                 "Writes the scene: .json, or .nff or .txt as far as they can say it.", write_scene,
                 has_scene, "json nff txt", true),
     {"copy.view",

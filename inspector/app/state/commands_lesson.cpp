@@ -27,6 +27,10 @@ std::string neighbour(const State& state, std::ptrdiff_t by) {
 }
 
 void open(State& state, std::string_view name) {
+    if (name.empty()) {
+        state.show_lessons(LessonSide::contents);
+        return;
+    }
     state.open_lesson(lesson::load_lesson(folder_of(state), std::string(name)));
 }
 
@@ -87,7 +91,8 @@ void close(State& state, std::string_view) { state.close_lesson(); }
 constexpr Command table[] = {
     {"lesson.list", "Lesson", "All lessons", "F2",
      "Lists the lessons, or goes back to the open one.", none, list, nullptr, lists, "Lessons"},
-    {"lesson.open", "", "Open lesson", "", "Opens a lesson by its number or name.", none, open},
+    {"lesson.open", "", "Open lesson", "",
+     "Opens a lesson by its number or name; without one, the list.", none, open},
     {"lesson.next",
      "Lesson",
      "Next step",

@@ -48,9 +48,9 @@ void copy_ray_as_json(State& state, std::string_view) {
 
 constexpr Command table[] = {
     {"table.column", "", "Show or hide a column", "", "Shows or leaves out a column of the table.",
-     Argument::text, flip_column},
+     Argument::words, flip_column},
     {"table.sort", "", "Sort", "",
-     "Sorts the table by a column; then the other way round; then not at all.", Argument::text,
+     "Sorts the table by a column; then the other way round; then not at all.", Argument::words,
      sort_by},
     {"table.columns", "Table", "Columns…", "Ctrl+Shift+L",
      "Chooses the columns of the table, and by which it is sorted.", none,

@@ -38,14 +38,14 @@ void select_none(State& state, std::string_view) { state.select(std::optional<Th
 bool has_thing(const State& state) { return state.thing().has_value(); }
 
 constexpr Command table[] = {
-    {"object.select", "", "Select object", "", "Selects the object of this name.", Argument::text,
+    {"object.select", "", "Select object", "", "Selects the object of this name.", Argument::words,
      select<object_named>, has_scene},
-    {"light.select", "", "Select light", "", "Selects the light of this name.", Argument::text,
+    {"light.select", "", "Select light", "", "Selects the light of this name.", Argument::words,
      select<light_named>, has_scene},
     {"thing.at_end",
      "Ray",
      "What the ray meets",
-     "O",
+     "H",
      "Selects the object that the selected ray meets, or the light that it reaches.",
      none,
      select_end,
@@ -57,7 +57,7 @@ constexpr Command table[] = {
      select_next<Thing::Kind::object>, has_any<Thing::Kind::object>},
     {"light.next", "Ray", "Next light", "Shift+L", "Selects the next light of the scene.", none,
      select_next<Thing::Kind::light>, has_any<Thing::Kind::light>},
-    {"thing.none", "Ray", "Back to the ray", "Esc",
+    {"thing.none", "Ray", "Back to the ray", "Shift+Esc",
      "Selects no object or light any longer, but the ray alone.", none, select_none, has_thing},
 };
 

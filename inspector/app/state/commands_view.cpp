@@ -76,7 +76,7 @@ constexpr Command table[] = {
     {"show.ghosts", "View", "Rays that were not sent", "G",
      "Shows or hides skipped rays, with their reasons, in the outline and at the selected hit.",
      none, flip<&Look::ghosts>, nullptr, is_on<&Look::ghosts>, "Not sent"},
-    {"show.angles", "View", "Angles at the selected hit", "A",
+    {"show.angles", "View", "Angles at the selected hit", "I",
      "Shows or hides the angles at the selected ray's hit, from the normal in degrees.", none,
      flip<&Look::angles>, nullptr, is_on<&Look::angles>},
     {"show.names", "View", "Names in the 3D view", "L",

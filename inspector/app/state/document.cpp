@@ -59,32 +59,6 @@ LoadedScene scene_of(ReadTree& read, const fs::path& file,
     return loaded;
 }
 
-bool near(const Rgb<double>& a, const Rgb<double>& b) {
-    const auto x = channels(a), y = channels(b);
-    for (std::size_t c = 0; c < 3; ++c) {
-        if (std::abs(x[c] - y[c]) > 1e-9 * std::max(1.0, std::abs(x[c]))) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// The file's tree may be by someone else's tracer: what is shown is ours, and where the two
-/// differ it is said.
-std::string comparison(const ReadTree& read, const Document& document, Pixel pixel) {
-    const RayTree<double> own = record_tree(document.world(), pixel.i, pixel.j);
-    const RayTree<double>& theirs = read.tree;
-    const bool same =
-        near(own.intensity, theirs.intensity) && own.rays.size() == theirs.rays.size();
-    if (same) {
-        return "The tree was traced anew from its scene; it agrees with the file.";
-    }
-    return "Shown is the tree that raytree traces: " + std::to_string(own.rays.size()) + " rays, " +
-           triple_text(own.intensity) +
-           ". The file's own is different: " + std::to_string(theirs.rays.size()) + " rays, " +
-           triple_text(theirs.intensity) + ".";
-}
-
 Opened open_tree(const std::string& text, const fs::path& file,
                  const std::optional<fs::path>& scene_of_tree) {
     ReadTree read = read_tree_json(text, file);
@@ -97,8 +71,10 @@ Opened open_tree(const std::string& text, const fs::path& file,
         throw InputError(file.string(), "/pixel",
                          "pixel " + text_of(*opened.pixel) + " lies outside the scene's picture");
     }
-    opened.notes = read.warnings;
-    opened.notes.push_back(comparison(read, *opened.document, *opened.pixel));
+    opened.recorded =
+        std::make_shared<const check::Submission>(check::parse_submission(text, file.string()));
+    opened.notes = opened.recorded->remarks;
+    opened.scene_inside = embedded;
     return opened;
 }
 
@@ -144,6 +120,11 @@ Opened open_file(const fs::path& file, const std::optional<fs::path>& scene_of_t
     LoadedScene loaded = load_scene(file);
     std::vector<std::string> notes = loaded.warnings;
     return {std::make_shared<Document>(file, std::move(loaded)), std::nullopt, std::move(notes)};
+}
+
+std::shared_ptr<const check::Submission> read_recorded(const fs::path& file) {
+    return std::make_shared<const check::Submission>(
+        check::parse_submission(check::load_submission_text(file), file.string()));
 }
 
 }  // namespace raytree::inspector

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "check/submission.h"
 #include "formats/scene_file.h"
 #include "scene/input_error.h"
 #include "trace/world.h"
@@ -48,6 +49,9 @@ struct Opened {
     std::shared_ptr<const Document> document;
     std::optional<Pixel> pixel;      ///< the one of a tree's file
     std::vector<std::string> notes;  ///< for people, a sentence each
+    /// Of a tree's file: the tree as it says.
+    std::shared_ptr<const check::Submission> recorded = nullptr;
+    bool scene_inside = false;  ///< the scene is part of the tree's file
 };
 
 /// A tree's file that does not hold its scene, opened without one.
@@ -56,10 +60,12 @@ class SceneWanted : public InputError {
     explicit SceneWanted(std::string file);
 };
 
-/// Opens a scene in any format, or the scene and pixel of a ray tree (raytree/1.0), whose tree is
-/// traced anew. `scene_of_tree` is where the scene is when the tree's file does not hold it. Throws
-/// InputError.
+/// Opens a scene in any format, or a ray tree (raytree/1.0) as it is recorded, with its scene.
+/// `scene_of_tree` is where the scene is when the tree's file does not hold it. Throws InputError.
 Opened open_file(const std::filesystem::path& file,
                  const std::optional<std::filesystem::path>& scene_of_tree = {});
+
+/// A tree as somebody has recorded it. Throws InputError.
+std::shared_ptr<const check::Submission> read_recorded(const std::filesystem::path& file);
 
 }  // namespace raytree::inspector

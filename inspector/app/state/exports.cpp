@@ -44,7 +44,7 @@ std::string extension_of(const std::string& file) {
 
 void export_tree(State& state, TreeExport as, const std::string& file) {
     expect_writable(state, file);
-    write_output(file, written(state.tree()->tree, state.document()->scene(), as));
+    write_output(file, written(own_tree(*state.tree()), state.document()->scene(), as));
     state.say("Written: " + file);
 }
 
@@ -116,7 +116,7 @@ ViewExport view_export_from(const std::string& text) {
 std::string suggested_name(const State& state, const Command& command) {
     std::string name = state.document()->file().stem().string();
     const Pixel pixel = state.pixel();
-    if (command.id == "export.scene") {
+    if (command.id == "export.scene" || command.id == "file.save_as") {
         name += "-copy";
     } else if (command.id != "export.picture") {
         name += "-" + std::to_string(pixel.i) + "-" + std::to_string(pixel.j);

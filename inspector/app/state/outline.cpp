@@ -23,8 +23,8 @@ std::string what_became(const TreeRay<double>& ray) {
 
 }  // namespace
 
-Outline::Outline(std::shared_ptr<const PixelTree> tree, bool ghosts)
-    : tree_(std::move(tree)), ghosts_(ghosts) {
+Outline::Outline(std::shared_ptr<const PixelTree> tree, bool ghosts, Shown shown)
+    : tree_(std::move(tree)), ghosts_(ghosts), shown_(std::move(shown)) {
     if (tree_) {
         rows_.emplace_back();
     }
@@ -57,7 +57,11 @@ const std::vector<std::size_t>& Outline::children_of(std::size_t row) const {
 void Outline::add_child(std::size_t parent, std::vector<std::size_t>& children, std::size_t ray,
                         std::optional<std::size_t> skipped) const {
     const std::size_t row = rows_.size();
-    rows_.push_back({{ray, skipped, parent, children.size()}, std::nullopt});
+    const OutlineRow added{ray, skipped, parent, children.size()};
+    if (shown_ && !shown_(added)) {
+        return;
+    }
+    rows_.push_back({added, std::nullopt});
     children.push_back(row);
 }
 
@@ -69,9 +73,13 @@ std::size_t Outline::row_of(std::size_t ray) const {
     std::size_t row = 0;
     for (auto next = way.rbegin(); next != way.rend(); ++next) {
         const auto& children = children_of(row);
-        row = *std::ranges::find_if(children, [&](std::size_t child) {
+        const auto found = std::ranges::find_if(children, [&](std::size_t child) {
             return rows_[child].row.ray == *next && !rows_[child].row.skipped;
         });
+        if (found == children.end()) {
+            break;
+        }
+        row = *found;
     }
     return row;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,13 +24,16 @@ struct OutlineRow {
 class Outline {
   public:
     Outline() = default;
-    Outline(std::shared_ptr<const PixelTree> tree, bool ghosts);
+    /// `shown` tells which rows there are; null: all. Without a ray, nor is there what it sent.
+    using Shown = std::function<bool(const OutlineRow&)>;
+    Outline(std::shared_ptr<const PixelTree> tree, bool ghosts, Shown shown = nullptr);
 
     bool empty() const { return rows_.empty(); }
     /// Row 0 is the primary ray.
     const OutlineRow& row(std::size_t row) const { return rows_[row].row; }
     /// In the order of computation.
     const std::vector<std::size_t>& children_of(std::size_t row) const;
+    /// Of a ray that has no row, that of the nearest one on the way to it.
     std::size_t row_of(std::size_t ray) const;
 
   private:
@@ -42,6 +46,7 @@ class Outline {
 
     std::shared_ptr<const PixelTree> tree_;
     bool ghosts_ = true;
+    Shown shown_;
     mutable std::deque<Kept> rows_;
 };
 

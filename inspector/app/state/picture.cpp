@@ -43,7 +43,7 @@ std::optional<Rgb<double>> traced(const World<double>& world, int i, int j) {
 
 }  // namespace
 
-PictureRender::PictureRender(std::shared_ptr<const Document> document)
+PictureRender::PictureRender(std::shared_ptr<const Document> document, const ShownPicture* before)
     : document_(std::move(document)) {
     const Camera& camera = document_->scene().camera;
     picture_.stride = stride_of(camera);
@@ -51,7 +51,13 @@ PictureRender::PictureRender(std::shared_ptr<const Document> document)
     picture_.height = (camera.height - 1) / picture_.stride + 1;
     const std::size_t cells =
         static_cast<std::size_t>(picture_.width) * static_cast<std::size_t>(picture_.height);
-    picture_.cells.assign(cells, packed(document_->scene().background, Quantize::round));
+    const bool same_size = before && before->width == picture_.width &&
+                           before->height == picture_.height && before->cells.size() == cells;
+    if (same_size) {
+        picture_.cells = before->cells;
+    } else {
+        picture_.cells.assign(cells, packed(document_->scene().background, Quantize::round));
+    }
     intensities_.resize(cells);
     thread_ = std::thread([this] { run(); });
 }

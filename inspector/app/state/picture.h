@@ -28,7 +28,9 @@ inline constexpr std::uint32_t not_finite_colour = 0xFFFF00FF;
 /// a coarse picture's pixels are those of the final one, drawn as squares.
 class PictureRender {
   public:
-    explicit PictureRender(std::shared_ptr<const Document> document);
+    /// Where there is a picture of the same size before, it is what is seen at first.
+    explicit PictureRender(std::shared_ptr<const Document> document,
+                           const ShownPicture* before = nullptr);
     /// Cancels, and waits for the trees that are just being traced.
     ~PictureRender();
 

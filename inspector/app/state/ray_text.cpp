@@ -3,6 +3,7 @@
 #include "formats/tree_json.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/marked_texts.h"
 #include "state/numbers.h"
 
 namespace raytree::inspector {
@@ -27,10 +28,14 @@ void add(std::string& text, const DetailSection& section) {
 std::string ray_as_text(const State& state) {
     const std::size_t ray = state.selected()->id;
     std::string text = title_of(*state.selected()) + " of pixel " + text_of(state.pixel()) + "\n";
-    for (const DetailSection& section : details_of(*state.tree(), ray)) {
+    const PixelTree& tree = *state.tree();
+    for (const DetailSection& section : known_details(tree, ray, state.playback())) {
         add(text, section);
     }
-    const Derivation derivation = derive(state.document()->world(), state.tree()->tree, ray);
+    if (!can_derive(tree, ray, state.playback())) {
+        return text;
+    }
+    const Derivation derivation = derive(state.document()->world(), tree.tree, ray);
     for (const DetailSection& section : derivation_details(derivation)) {
         add(text, section);
     }

@@ -12,17 +12,63 @@ const TreeRay<double>* State::selected() const {
 
 void State::show(const Opened& opened) {
     document_ = opened.document;
+    edits_.begin(values_of(document_->scene()));
+    before_.reset();
+    against_.reset();
+    keep_selected_.reset();
+    playing_ = false;
+    playback_.reset();
+    opened_file_ =
+        opened.recorded ? std::filesystem::path(opened.recorded->file) : document_->file();
+    const bool can_save = !opened.scene_inside && document_->file().extension() == ".json";
+    own_file_ = can_save ? std::optional(document_->file()) : std::nullopt;
     pixel_ = opened.pixel ? *opened.pixel : start_pixel(*document_);
     history_.begin(pixel_);
     if (thing_ && !exists(document_->scene(), *thing_)) {
         thing_.reset();
     }
-    message_.clear();
+    notes_.clear();
     for (const std::string& note : opened.notes) {
-        message_ += (message_.empty() ? "" : "  ") + note;
+        notes_ += (notes_.empty() ? "" : "  ") + note;
+    }
+    message_ = notes_;
+    if (opened.recorded) {
+        against_ = Against{Contrast::What::file, pixel_, nullptr, opened.recorded, false};
+        side_pane_ = SidePane::compare;
     }
     trace();
-    tell({.document = true, .tree = true, .selection = true, .message = true});
+    tell({.document = true,
+          .tree = true,
+          .selection = true,
+          .message = true,
+          .playback = true,
+          .side_pane = true});
+}
+
+void State::show_again() const {
+    tell({.document = document_ != nullptr,
+          .tree = true,
+          .selection = true,
+          .look = true,
+          .tree_pane = true,
+          .message = true,
+          .playback = true,
+          .side_pane = true,
+          .lesson = true,
+          .explained = true});
+}
+
+void State::renew(Opened opened) {
+    const bool fits = opened.document->contains(pixel_);
+    if (opened.recorded || against_ || !fits) {
+        if (fits && !opened.recorded) {
+            opened.pixel = pixel_;
+        }
+        show(opened);
+        return;
+    }
+    edits_.begin(values_of(opened.document->scene()));
+    install(opened.document, document_, true);
 }
 
 void State::pick(Pixel pixel, Pick how) {
@@ -50,9 +96,8 @@ void State::go_back(int by) {
 
 void State::choose(Pixel pixel) {
     pixel_ = pixel;
-    message_.clear();
-    trace();
-    tell({.tree = true, .selection = true, .message = true});
+    keep_selected_.reset();
+    trace_again();
 }
 
 /// A tree that takes no longer than a glance is waited for.
@@ -61,10 +106,17 @@ void State::trace() {
     tree_.reset();
     selected_ = 0;
     tracing_ = true;
-    worker_->ask(document_, pixel_);
+    auto [shown, with] = question();
+    worker_->ask(std::move(shown), std::move(with));
     if (!take_tree(glance)) {
         message_ = "Tracing the tree of pixel " + text_of(pixel_) + "…";
     }
+}
+
+void State::trace_again() {
+    message_.clear();
+    trace();
+    tell({.tree = true, .selection = true, .message = true, .playback = playback_.has_value()});
 }
 
 bool State::take_tree(std::chrono::milliseconds patience) {
@@ -77,15 +129,28 @@ bool State::take_tree(std::chrono::milliseconds patience) {
     if (!traced->failure.empty()) {
         message_ = traced->failure;
     }
+    if (tree_) {
+        if (keep_selected_) {
+            take_counterpart(*keep_selected_);
+        }
+        if (playback_) {
+            begin_playback();
+        }
+        say_whose();
+    }
     return true;
 }
 
 void State::poll(std::chrono::milliseconds patience) {
-    if (tracing_ && take_tree(patience)) {
-        if (tree_) {
-            message_.clear();
-        }
-        tell({.tree = true, .selection = true, .message = true});
+    if (!tracing_) {
+        return;
+    }
+    const std::string waiting = message_;
+    message_.clear();
+    if (!take_tree(patience)) {
+        message_ = waiting;
+    } else {
+        tell({.tree = true, .selection = true, .message = true, .playback = playback_.has_value()});
     }
 }
 
@@ -94,6 +159,7 @@ void State::select(std::size_t ray) {
         selected_ = ray;
         thing_.reset();
         tell({.selection = true});
+        answer_by_ray();
     }
 }
 
@@ -101,7 +167,6 @@ void State::select(std::optional<Thing> thing) {
     if (document_ && thing_ != thing && (!thing || exists(document_->scene(), *thing))) {
         thing_ = thing;
         tell({.selection = true});
-        answer_by_ray();
     }
 }
 
@@ -127,6 +192,13 @@ void State::change_tree_pane(const TreePane& tree_pane) {
 void State::say(std::string message) {
     message_ = std::move(message);
     tell({.message = true});
+}
+
+void State::show_side(SidePane pane) {
+    if (pane != side_pane_) {
+        side_pane_ = pane;
+        tell({.side_pane = true});
+    }
 }
 
 void State::tell(const Changes& changes) const {

@@ -7,10 +7,13 @@
 #include <vector>
 
 #include "state/document.h"
+#include "state/edits.h"
 #include "state/explained.h"
+#include "state/explanation.h"
 #include "state/history.h"
 #include "state/lesson_run.h"
 #include "state/palette.h"
+#include "state/playback.h"
 #include "state/ray_filter.h"
 #include "state/table.h"
 #include "state/thing.h"
@@ -46,6 +49,9 @@ struct TreePane {
 /// What stands in the place for lessons.
 enum class LessonSide { hidden, contents, lesson };
 
+/// What stands beside the 3D view.
+enum class SidePane { none, steps, change, compare };
+
 /// What is asked of the views once; nothing of it stays in the state.
 enum class Request {
     through_camera,
@@ -68,6 +74,7 @@ enum class Request {
     diagram_closer,
     diagram_further,
     cheat_sheet,
+    save_scene_as,
     quit
 };
 
@@ -80,6 +87,10 @@ struct Changes {
     bool tree_pane = false;
     bool table = false;
     bool message = false;
+    bool values = false;    ///< the document is the same scene with other values
+    bool coats = false;     ///< and its surfaces look different
+    bool playback = false;  ///< how far the tree is stepped through
+    bool side_pane = false;
     bool lesson = false;     ///< the lesson, its step, or what has been answered
     bool explained = false;  ///< what is shown besides the rays
     /// From where the 3D view is to look at things.
@@ -113,6 +124,13 @@ class State {
     /// Shows the scene and the pixel given, or else its most instructive one. The file's notes
     /// become the message.
     void show(const Opened& opened);
+    /// Tells the views all that is shown, for views that have come later.
+    void show_again() const;
+    /// The open file, anew: what can stay as it is does, and what that cuts off the tree is shown
+    /// as after a change.
+    void renew(Opened opened);
+    /// The scene's file, or that of a tree that was opened.
+    const std::filesystem::path& opened_file() const { return opened_file_; }
     /// Chooses a pixel: of one outside the picture, the nearest in it.
     void pick(Pixel pixel, Pick how = Pick::apart);
     /// The pixels picked before and, after going back, those picked later.
@@ -133,6 +151,55 @@ class State {
     void poll(std::chrono::milliseconds patience = {});
     /// One line for people; empty to clear it.
     void say(std::string message);
+    SidePane side_pane() const { return side_pane_; }
+    void show_side(SidePane pane);
+
+    // Stepping through the tree (state_steps.cpp).
+    /// None unless the tree is being stepped through.
+    const std::optional<Playback>& playback() const { return playback_; }
+    StepOrder step_order() const { return step_order_; }
+    bool playing() const { return playing_; }
+    double pace() const { return pace_; }  ///< stops a second
+    void start_stepping();
+    void end_stepping();
+    /// Selects the ray of which something happens there; starts stepping where that is not begun.
+    void go_to_stop(std::size_t stop);
+    void set_step_order(StepOrder order);
+    void play(bool playing);
+    void set_pace(double stops_a_second);
+    /// The next stop while playing; called at the pace.
+    void tick();
+
+    // Changing the scene (state_edits.cpp).
+    const Edits& edits() const { return edits_; }
+    /// Throws InputError where the value is none that a file may have; nothing has changed then.
+    void change(const std::string& place, std::string_view text, Pick how = Pick::apart);
+    void let_go() { edits_.let_go(); }
+    void undo();
+    void redo();
+    void reset_values();
+    /// Lets go of the branches that the last change cut off.
+    void dismiss_cut();
+    bool has_cut() const { return before_ && !against_; }
+    /// Null: the scene came inside a tree's file or in a format that says less.
+    const std::filesystem::path* own_file() const { return own_file_ ? &*own_file_ : nullptr; }
+    /// Writes the scene; it is the open one's file from then on. Throws InputError.
+    void save_scene_as(const std::filesystem::path& file);
+
+    // Comparing trees (state_compare.cpp).
+    /// Whether the shown tree is compared with another, or will be once it has come.
+    bool comparing() const { return against_.has_value(); }
+    /// Throws InputError where its pixel lies outside of the picture.
+    void compare_with(std::shared_ptr<const check::Submission> recorded);
+    /// From now on every pixel is compared with this one.
+    void compare_with_pixel(Pixel pixel);
+    std::optional<Pixel> compared_pixel() const;
+    /// Before the last change and now.
+    void compare_with_before();
+    bool can_compare_with_before() const { return before_ != nullptr; }
+    /// Shows the other of the two.
+    void swap_compared();
+    void end_comparing();
 
     // Lessons (state_lesson.cpp).
     /// Null unless a lesson is open.
@@ -157,15 +224,37 @@ class State {
 
     const Explained& explained() const { return explained_; }
     void explain(const std::function<void(Explained&)>& change);
+    /// Worked out when it is asked for. There must be a document.
+    const Explanation& explanation() const;
 
   private:
     void stage(const lesson::Show& show);
+    void step_up_to(std::size_t last);
     void take_view(const lesson::View& view);
     void exchange(std::shared_ptr<const Document> document);
     void answer_by_pixel();
     void answer_by_ray();
+
+    /// What trees are compared with.
+    struct Against {
+        Contrast::What what = Contrast::What::pixel;
+        Pixel pixel;  ///< the other's; of files, both trees' pixel
+        /// Of files: null where it is the traced tree.
+        std::shared_ptr<const check::Submission> reference, subject;
+        bool swapped = false;
+    };
+
     void choose(Pixel pixel);
     void trace();
+    void trace_again();
+    TreeSource source(Pixel pixel, std::shared_ptr<const Document> document) const;
+    std::pair<TreeSource, std::optional<Comparison>> question() const;
+    void take_counterpart(std::size_t before);
+    void say_whose();
+    std::shared_ptr<const Document> document_with(const Values& values) const;
+    void install(std::shared_ptr<const Document> document, std::shared_ptr<const Document> before,
+                 bool other_shapes = false);
+    void begin_playback();
     bool take_tree(std::chrono::milliseconds patience);
     void tell(const Changes& changes) const;
 
@@ -181,11 +270,25 @@ class State {
     TreePane tree_pane_;
     Table table_;
     std::string message_;
+    std::string notes_;  ///< on the open file
+    SidePane side_pane_ = SidePane::none;
+    std::optional<Playback> playback_;
+    StepOrder step_order_ = StepOrder::depth_first;
+    bool playing_ = false;
+    double pace_ = 2;
+    Edits edits_;
+    std::shared_ptr<const Document> before_;  ///< the last change, or before it was dismissed
+    std::filesystem::path opened_file_;
+    std::optional<std::filesystem::path> own_file_;
+    std::optional<Against> against_;
+    std::optional<std::size_t> keep_selected_;  ///< in the tree before
     std::unique_ptr<LessonRun> lesson_;
     LessonSide lesson_side_ = LessonSide::hidden;
     std::filesystem::path lesson_folder_;
     bool staging_ = false;  ///< the views are being set as a step wants them
     Explained explained_;
+    int explained_version_ = 0;
+    mutable Explainer explainer_;
     std::vector<Observer> observers_;
 };
 

@@ -17,7 +17,7 @@ Request request_of(NamedView view) {
         case NamedView::tree:
             return Request::fit_tree;
         default:
-            return Request::fit_ray;
+            return Request::fit_selection;
     }
 }
 
@@ -35,7 +35,10 @@ ShapeStyle style_of(lesson::ShapeLook look) {
 void take_look(Look& look, const lesson::Show& show) {
     look.shapes = style_of(show.shapes);
     look.overlay = show.overlay;
-    look.hidden = {show.hide.begin(), show.hide.end()};
+    look.filter = {};
+    for (const RayKind kind : show.hide) {
+        look.filter.set(group_of(kind), Shown::hidden);
+    }
 }
 
 Explained explained_by(const lesson::Show& show) {
@@ -104,16 +107,34 @@ void State::stage(const lesson::Show& show) {
     const auto document = lesson_->document();
     const Pixel pixel{show.pixel.i, show.pixel.j};
     if (document_ != document) {
-        this->show({document, pixel, {}});
+        this->show({.document = document, .pixel = pixel, .notes = {}});
     } else {
         pick(pixel);
     }
     poll(patience);
+    if (show.stepped && tree_) {
+        step_up_to(static_cast<std::size_t>(*show.stepped));
+    } else {
+        end_stepping();
+    }
     select(lesson_->ray());
     change_look([&](Look& look) { take_look(look, show); });
     explain([&](Explained& explained) { explained = explained_by(show); });
-    change_tree_pane({tab_of(show, tree_pane_.tab), tree_pane_.fold_below});
+    TreePane pane = tree_pane_;
+    pane.tab = tab_of(show, pane.tab);
+    change_tree_pane(pane);
     take_view(show.view);
+}
+
+/// As far as the tree can be stepped without a ray after `last`.
+void State::step_up_to(std::size_t last) {
+    begin_playback();
+    playback_->go_to(playback_->stops());
+    while (playback_->stop() > 0 && last + 1 < tree_->tree.rays.size() &&
+           playback_->stage(last + 1) != Stage::unsent) {
+        playback_->go_to(playback_->stop() - 1);
+    }
+    tell({.selection = true, .playback = true});
 }
 
 void State::take_view(const lesson::View& view) {
@@ -154,18 +175,19 @@ void State::try_value(double value) {
 
 /// Another document in the place of this one, seen in the same way.
 void State::exchange(std::shared_ptr<const Document> document) {
-    document_ = std::move(document);
-    const std::size_t selected = selected_;
-    trace();
+    edits_.begin(values_of(document->scene()));
+    install(std::move(document), nullptr, true);
     poll(patience);
-    selected_ = tree_ && selected < tree_->tree.rays.size() ? selected : 0;
-    tell({.document = true, .tree = true, .selection = true, .message = true});
-    take_view(lesson_->here().show.view);
 }
 
 void State::explain(const std::function<void(Explained&)>& change) {
     change(explained_);
+    ++explained_version_;
     tell({.explained = true});
+}
+
+const Explanation& State::explanation() const {
+    return explainer_.explain(document_, tree_, pixel_, selected_, explained_, explained_version_);
 }
 
 void State::answer_by_pixel() {

@@ -80,7 +80,7 @@ Cell cell_of(const PixelTree& tree, const Node& ray, Column column) {
     row.ray = ray.id;
     switch (column) {
         case Column::ray:
-            return "#" + std::to_string(ray.id) + " " + texts_of(tree, row).ray;
+            return number_of(tree, ray.id) + " " + texts_of(tree, row).ray;
         case Column::met:
             return texts_of(tree, row).met;
         case Column::ended:

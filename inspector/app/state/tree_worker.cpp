@@ -1,26 +1,18 @@
 #include "state/tree_worker.h"
 
-#include "tree/explain.h"
-#include "tree/record.h"
-
 namespace raytree::inspector {
-namespace {
 
-TracedPixel traced(std::shared_ptr<const Document> document, Pixel pixel) {
-    TracedPixel result{std::move(document), pixel, nullptr, {}};
+TracedPixel TreeWorker::answer(const Question& question) {
+    const auto& [shown, with] = question;
+    TracedPixel result{shown.document, shown.pixel, nullptr, {}};
     try {
-        auto tree = std::make_shared<PixelTree>();
-        tree->tree = record_tree(result.document->world(), pixel.i, pixel.j);
-        tree->tree.scene_sha256 = result.document->loaded().sha256;
-        tree->children = children_of(tree->tree);
-        result.tree = std::move(tree);
+        result.tree =
+            std::make_shared<const PixelTree>(with ? laid_over(shown, *with) : tree_from(shown));
     } catch (const InputError& error) {
         result.failure = error.what();
     }
     return result;
 }
-
-}  // namespace
 
 TreeWorker::TreeWorker() : thread_([this] { run(); }) {}
 
@@ -33,10 +25,10 @@ TreeWorker::~TreeWorker() {
     thread_.join();
 }
 
-void TreeWorker::ask(std::shared_ptr<const Document> document, Pixel pixel) {
+void TreeWorker::ask(TreeSource shown, std::optional<Comparison> with) {
     {
         const std::lock_guard lock(mutex_);
-        question_ = Question{std::move(document), pixel};
+        question_ = Question{std::move(shown), std::move(with)};
         answer_.reset();
     }
     asked_.notify_one();
@@ -57,7 +49,7 @@ void TreeWorker::run() {
         }
         const Question question = *std::exchange(question_, std::nullopt);
         lock.unlock();
-        TracedPixel result = traced(question.document, question.pixel);
+        TracedPixel result = answer(question);
         lock.lock();
         if (!question_) {  // else somebody has asked anew meanwhile
             answer_ = std::move(result);

@@ -9,16 +9,9 @@
 #include <thread>
 #include <vector>
 
-#include "state/document.h"
-#include "tree/ray_tree.h"
+#include "state/contrast.h"
 
 namespace raytree::inspector {
-
-/// The tree of the chosen pixel and its rays' children.
-struct PixelTree {
-    RayTree<double> tree;
-    std::vector<std::vector<std::size_t>> children;
-};
 
 struct TracedPixel {
     std::shared_ptr<const Document> document;
@@ -34,15 +27,17 @@ class TreeWorker {
     TreeWorker();
     ~TreeWorker();
 
-    void ask(std::shared_ptr<const Document> document, Pixel pixel);
+    /// `with`: what the tree is laid over, if anything.
+    void ask(TreeSource shown, std::optional<Comparison> with = std::nullopt);
     /// The answer to the last question, once; waits for it no longer than `patience`.
     std::optional<TracedPixel> take(std::chrono::milliseconds patience);
 
   private:
     struct Question {
-        std::shared_ptr<const Document> document;
-        Pixel pixel;
+        TreeSource shown;
+        std::optional<Comparison> with;
     };
+    static TracedPixel answer(const Question& question);
     void run();
 
     std::mutex mutex_;

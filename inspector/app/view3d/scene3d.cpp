@@ -154,16 +154,17 @@ struct Scene3d::Parts {
     vtkNew<vtkTexture> texture;
     Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading, angles,
         faint_angles;
+    Part explained_faces, explained_lines, explained;
     Palette palette;
 
     void set_shading() {
         // Rays keep close to the colours of the legend; shapes are modelled by light.
-        for (Part* part : {&rays, &fading, &marks}) {
+        for (Part* part : {&rays, &fading, &marks, &explained}) {
             part->lit(0.72, 0.34);
         }
         shapes.lit(0.42, 0.68);
-        for (Part* part :
-             {&edges, &picture, &mark_lines, &ray_lines, &halo, &angles, &faint_angles}) {
+        for (Part* part : {&edges, &picture, &mark_lines, &ray_lines, &halo, &angles, &faint_angles,
+                           &explained_faces, &explained_lines}) {
             part->unlit();
         }
     }
@@ -185,15 +186,16 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     add_lights(p.renderer);
     p.set_shading();
     // In the order in which what is see-through is laid over each other.
-    for (Part* part : {&p.shapes, &p.edges, &p.picture, &p.mark_lines, &p.marks, &p.ray_lines,
-                       &p.rays, &p.halo, &p.fading, &p.angles, &p.faint_angles}) {
+    for (Part* part : {&p.shapes, &p.edges, &p.picture, &p.explained_faces, &p.explained_lines,
+                       &p.explained, &p.mark_lines, &p.marks, &p.ray_lines, &p.rays, &p.halo,
+                       &p.fading, &p.angles, &p.faint_angles}) {
         p.renderer->AddActor(part->actor);
     }
-    for (Part* part :
-         {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading, &p.faint_angles}) {
+    for (Part* part : {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading,
+                       &p.faint_angles, &p.explained_faces, &p.explained_lines}) {
         part->see_through(true);
     }
-    for (Part* part : {&p.marks, &p.rays, &p.halo, &p.angles}) {
+    for (Part* part : {&p.marks, &p.rays, &p.halo, &p.angles, &p.explained}) {
         part->see_through(false);
     }
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
@@ -232,6 +234,12 @@ void Scene3d::set_rays(const RayMeshes& meshes) {
     parts_->fading.set(meshes.fading);
     parts_->halo.set(meshes.halo);
     parts_->ray_lines.set(meshes.lines);
+}
+
+void Scene3d::set_explained(const ExplainedMesh& mesh) {
+    parts_->explained_faces.set(mesh.faces);
+    parts_->explained_lines.set(mesh.lines);
+    parts_->explained.set(mesh.solid);
 }
 
 void Scene3d::set_landmarks(const Landmarks& marks) {

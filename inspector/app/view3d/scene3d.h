@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "drawing/angles.h"
+#include "drawing/explained_mesh.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/scene_mesh.h"
 
@@ -27,6 +28,7 @@ class Scene3d {
     /// The order in which see-through shapes are drawn: SceneMesh::faces' triangles sorted.
     void set_shape_order(const std::vector<std::int32_t>& triangles);
     void set_rays(const RayMeshes& meshes);
+    void set_explained(const ExplainedMesh& mesh);
     void set_landmarks(const Landmarks& marks);
     void set_angles(const AngleDrawing& angles);
     /// The picture, 0xFFRRGGBB row by row from the top left, on a quadrangle from its top left on.

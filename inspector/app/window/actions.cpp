@@ -1,11 +1,13 @@
 #include "window/actions.h"
 
 #include <QMainWindow>
+#include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <QToolButton>
 
 #include "window/exporter.h"
+#include "window/files.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -88,25 +90,18 @@ void Actions::run(const Command& command, std::string argument) {
                 return;
             }
         }
-        run_command(state_, command.id, argument);
-    } catch (const SceneWanted&) {
-        open_with_scene(argument);
+        if (!files_ || !files_->run(command, argument)) {
+            run_command(state_, command.id, argument);
+        }
     } catch (const InputError& error) {
         fail_(error);
     }
     refresh(false);  // a switch that Qt has turned stands as the state says
 }
 
-void Actions::open_with_scene(const std::string& tree) {
-    const QString scene =
-        ask_file_(QStringLiteral("This tree does not hold its scene: which one is it?"));
-    try {
-        if (!scene.isEmpty()) {
-            state_.show(open_file(tree, scene.toStdString()));
-        }
-    } catch (const InputError& error) {
-        fail_(error);
-    }
+void Actions::leave_to(Files& files) {
+    files_ = &files;
+    file_menu_->insertMenu(actions_["file.reload"], files.recent_menu());
 }
 
 void Actions::add_menus(QMainWindow* window) {
@@ -118,6 +113,7 @@ void Actions::add_menus(QMainWindow* window) {
         QMenu*& menu = menus[command.menu];
         if (!menu) {
             menu = window->menuBar()->addMenu(QLatin1Char('&') + qt(command.menu));
+            file_menu_ = file_menu_ ? file_menu_ : menu;
         }
         if (command.rule_before) {
             menu->addSeparator();

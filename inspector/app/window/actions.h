@@ -10,9 +10,12 @@
 #include "state/commands.h"
 
 class QMainWindow;
+class QMenu;
 class QWidget;
 
 namespace raytree::inspector {
+
+class Files;
 
 /// The table of commands as Qt's actions: in menus, in the toolbar, on keys.
 class Actions : public QObject {
@@ -28,18 +31,21 @@ class Actions : public QObject {
 
     /// The keys that widgets also use for themselves (arrows, Home) act in this one.
     void give_keys_to(QWidget* widget);
-    /// Runs a command; asks for its file, and for the scene of a tree that does not hold it.
+    /// Commands that read files are left to it from now on.
+    void leave_to(Files& files);
+    /// Runs a command; asks for its file.
     void run(const Command& command, std::string argument);
 
   private:
     void add_menus(QMainWindow* window);
     void add_toolbar(QMainWindow* window);
     QAction* make(const Command& command);
-    void open_with_scene(const std::string& tree);
     void refresh(bool theme);
 
     State& state_;
     AskFile ask_file_;
+    Files* files_ = nullptr;
+    QMenu* file_menu_ = nullptr;
     std::function<void(const InputError&)> fail_;
     std::map<std::string_view, QAction*> actions_;
 };

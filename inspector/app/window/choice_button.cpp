@@ -15,7 +15,8 @@ ChoiceButton::ChoiceButton(const QString& letter, const QString& html, const QSt
     row->setContentsMargins(9, 6, 9, 6);
     row->setSpacing(8);
     auto* const mark = new QLabel(QStringLiteral("<b>%1</b>").arg(letter));
-    auto* const text = new QLabel(html);
+    auto* const text =
+        new QLabel(QString(html).replace(QStringLiteral("0 0 7px 0"), QStringLiteral("0")));
     text->setWordWrap(true);
     for (QLabel* const label : {mark, text}) {
         label->setTextFormat(Qt::RichText);

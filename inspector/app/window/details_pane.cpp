@@ -10,6 +10,8 @@
 #include "state/commands.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/formula_details.h"
+#include "state/marked_texts.h"
 #include "state/numbers.h"
 #include "state/thing_details.h"
 #include "tree/explain.h"
@@ -45,9 +47,16 @@ class Writer {
         }
     }
 
-    void section(const DetailSection& section) {
-        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1'><b>%2</b></p>")
-                     .arg(qt(palette_.accent).name(), qt(section.title).toHtmlEscaped());
+    /// A section that a lesson talks about bears a mark.
+    void section(const DetailSection& section, bool marked = false) {
+        const QString mark = marked
+                                 ? QStringLiteral("; background-color:%1")
+                                       .arg(qt(mixed(palette_.panel, palette_.accent, 0.22)).name())
+                                 : QString();
+        html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1%2'><b>%3%4</b></p>")
+                     .arg(qt(palette_.accent).name(), mark,
+                          marked ? QStringLiteral("<a name='marked'></a>▸ ") : QString(),
+                          qt(section.title).toHtmlEscaped());
         if (!section.rows.empty()) {
             html_ += QStringLiteral("<table cellspacing='0' cellpadding='1' width='100%'>");
             for (const DetailRow& row : section.rows) {
@@ -131,7 +140,8 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     connect(this, &QTextBrowser::anchorClicked, this, &DetailsPane::follow);
     connect(this, qOverload<const QUrl&>(&QTextBrowser::highlighted), this, &DetailsPane::hint);
     state_.observe([this](const Changes& changes) {
-        if (changes.selection || changes.tree || changes.look) {
+        if (changes.selection || changes.tree || changes.look || changes.playback ||
+            changes.lesson || changes.explained) {
             show_selection();
         }
         if (changes.request == Request::copy_number) {
@@ -161,18 +171,27 @@ void DetailsPane::show_selection() {
     numbers_ = writer.take_numbers();
     setHtml(writer.take());
     verticalScrollBar()->setValue(0);
+    if (marked_formula(state_) && !state_.thing()) {
+        scrollToAnchor(QStringLiteral("marked"));
+    }
 }
 
 template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
     const TreeRay<double>& ray = *state_.selected();
-    writer.heading(title_of(ray), palette_of(state_.look().theme)[look_of(ray)]);
+    writer.heading(marked_title_of(*state_.tree(), ray.id),
+                   palette_of(state_.look().theme)[look_of(ray)]);
     writer.equation(ray);
-    for (const DetailSection& section : details_of(*state_.tree(), ray.id)) {
-        writer.section(section);
-    }
-    const Derivation derivation = derive(state_.document()->world(), state_.tree()->tree, ray.id);
-    for (const DetailSection& section : derivation_details(derivation)) {
-        writer.section(section);
+    const auto formula = marked_formula(state_);
+    const auto write = [&](const std::vector<DetailSection>& sections) {
+        for (const DetailSection& section : sections) {
+            writer.section(section, formula && is_about(section, *formula));
+        }
+    };
+    const PixelTree& tree = *state_.tree();
+    write(formula_details(state_));
+    write(known_details(tree, ray.id, state_.playback()));
+    if (can_derive(tree, ray.id, state_.playback())) {
+        write(derivation_details(derive(state_.document()->world(), tree.tree, ray.id)));
     }
 }
 
@@ -200,6 +219,11 @@ void DetailsPane::hint(const QUrl& link) {
 }
 
 void DetailsPane::copy_number() {
+    const QUrl come_to(textCursor().hasSelection() ? textCursor().charFormat().anchorHref()
+                                                   : QString());
+    if (come_to.scheme() == QStringLiteral("n") && come_to.path().toUInt() < numbers_.size()) {
+        number_ = numbers_[come_to.path().toUInt()];
+    }
     if (!number_) {
         state_.say("No number is chosen: point at one in the details, or go to it with Tab.");
         return;

@@ -37,10 +37,12 @@ QRectF extent_of(const Box& box) {
 
 }  // namespace
 
-DiagramDrawing::DiagramDrawing(QPainter& painter, const Diagram& diagram, const Palette& palette,
+DiagramDrawing::DiagramDrawing(QPainter& painter, const Diagram& diagram,
+                               const std::vector<BoxLook>& looks, const Palette& palette,
                                Quantize quantize)
     : painter_(painter),
       diagram_(diagram),
+      looks_(looks),
       palette_(palette),
       quantize_(quantize),
       font_(painter.font()) {
@@ -50,11 +52,13 @@ DiagramDrawing::DiagramDrawing(QPainter& painter, const Diagram& diagram, const 
 
 void DiagramDrawing::draw(const QRectF& visible, DiagramSpot chosen, const Emphasis& emphasis) {
     for (const Box& box : diagram_.boxes) {
-        draw_edge(box, stroke_of(box));
+        if (!look(box).hidden) {
+            draw_edge(box, stroke_of(box));
+        }
     }
     draw_way(chosen.box);
     for (const Box& box : diagram_.boxes) {
-        if (extent_of(box).adjusted(-8, -8, 8, 8).intersects(visible)) {
+        if (!look(box).hidden && extent_of(box).adjusted(-8, -8, 8, 8).intersects(visible)) {
             painter_.setOpacity(has(emphasis.faded, box) ? 0.35 : 1);
             draw_box(box);
             painter_.setOpacity(1);
@@ -69,6 +73,9 @@ void DiagramDrawing::draw(const QRectF& visible, DiagramSpot chosen, const Empha
 /// Dashed frames around a box and its shadow rays, where they are marked.
 void DiagramDrawing::mark_rays(std::size_t k, const std::vector<bool>& marked) {
     const Box& box = diagram_.boxes[k];
+    if (look(box).hidden) {
+        return;
+    }
     const auto frame = [&](DiagramSpot spot) {
         use({palette_.selection, 1.8, Qt::DashLine});
         painter_.drawRoundedRect(rectangle(place_of(diagram_, spot)).adjusted(-3, -3, 3, 3), 6, 6);
@@ -78,7 +85,7 @@ void DiagramDrawing::mark_rays(std::size_t k, const std::vector<bool>& marked) {
     }
     for (std::size_t row = 0; row < box.lights.size(); ++row) {
         const auto& ray = box.lights[row].ray;
-        if (ray && !marked.empty() && marked[*ray]) {
+        if (ray && !marked.empty() && marked[*ray] && !look(box).hidden_lights[row]) {
             frame({k, row});
         }
     }
@@ -88,7 +95,8 @@ DiagramDrawing::Stroke DiagramDrawing::stroke_of(const Box& box) const {
     if (box.absent) {
         return {palette_.dim_text, 1.3, Qt::DotLine};
     }
-    return {palette_[inspector::look_of(*box.ray)], thickness_of(box.ray->weight), Qt::SolidLine};
+    const Qt::PenStyle style = look(box).graft ? Qt::DashDotLine : Qt::SolidLine;
+    return {palette_[inspector::look_of(*box.ray)], thickness_of(box.ray->weight), style};
 }
 
 Ink DiagramDrawing::letters_of(const Box& box) const {
@@ -141,7 +149,12 @@ void DiagramDrawing::draw_edge(const Box& box, const Stroke& stroke, int alpha) 
 /// The kind of the ray, on the end of its line.
 void DiagramDrawing::draw_label(const Box& box) {
     const QRectF line(box.x, box.y, box.card_width, Sizes::label - 3);
-    write(line, qt(word_of(box.branch)), {letters_of(box), false, box.absent}, Qt::AlignHCenter);
+    const RayMark mark = look(box).mark;
+    const QString sign =
+        mark == RayMark::none ? QString() : qt(text_of(mark).sign) + QLatin1Char(' ');
+    const bool stands_out = mark != RayMark::none && mark != RayMark::same;
+    write(line, sign + qt(word_of(box.branch)), {letters_of(box), stands_out, box.absent},
+          Qt::AlignHCenter);
 }
 
 void DiagramDrawing::draw_box(const Box& box) {
@@ -154,7 +167,8 @@ void DiagramDrawing::draw_box(const Box& box) {
         stroke.style = Qt::DashLine;
     }
     use(stroke);
-    painter_.setBrush(qt(hollow ? palette_.panel : mixed(palette_.panel, stroke.ink, 0.08)));
+    const bool faint = hollow || look(box).graft;
+    painter_.setBrush(qt(faint ? palette_.panel : mixed(palette_.panel, stroke.ink, 0.08)));
     painter_.drawRoundedRect(frame, 4, 4);
     if (box.folded > 0) {  // one more frame behind it
         painter_.drawLine(frame.bottomLeft() + QPointF(5, 3), frame.bottomRight() + QPointF(-1, 3));
@@ -165,10 +179,14 @@ void DiagramDrawing::draw_box(const Box& box) {
     } else {
         draw_ray(box, frame);
     }
+    bool any = false;
     for (std::size_t row = box.lights.size(); row-- > 0;) {
-        draw_light(box, row);
+        if (!look(box).hidden_lights[row]) {
+            draw_light(box, row);
+            any = true;
+        }
     }
-    if (!box.lights.empty()) {
+    if (any) {
         write({frame.right() + Sizes::light_indent, box.y, 60, Sizes::label - 3},
               QStringLiteral("shadow"), {palette_.dim_text});
     }
@@ -179,8 +197,14 @@ void DiagramDrawing::draw_ray(const Box& box, const QRectF& frame) {
     QRectF line(left, frame.top() + Sizes::margin - 2, frame.width() - 2 * Sizes::margin,
                 Sizes::line);
     const bool escaped = !box.ray->hit;
-    write(line, qt(box.title), {palette_.text, !escaped, escaped});
+    const QString title = look(box).met ? qt(box.title) : QStringLiteral("…");
+    write(line, title, {palette_.text, !escaped, escaped});
     write(line, QStringLiteral("#%1").arg(box.ray->id), {palette_.dim_text}, Qt::AlignRight);
+    if (look(box).pending) {
+        line.translate(0, Sizes::line);
+        write(line, QStringLiteral("pending"), {palette_.dim_text, false, true});
+        return;
+    }
     const auto [r, g, b] = eight_bit(box.ray->intensity, quantize_).value;
     painter_.setPen(QPen(qt(palette_.dim_text), 0.75));
     painter_.setBrush(QColor(r, g, b));
@@ -230,7 +254,9 @@ void DiagramDrawing::draw_light(const Box& box, std::size_t row) {
     }
     const Ink words = absent ? ink : letters(ink);
     const QRectF line(lamp.x() + 9, lamp.y() - 7, box.lights_width, Sizes::line);
-    write(line, qt(light.light), {words, true, false});
+    const std::string_view sign = text_of(look(box).light_marks[row]).sign;
+    const QString before = sign.empty() ? QString() : qt(sign) + QLatin1Char(' ');
+    write(line, before + qt(light.light), {words, true, false});
     write(line.translated(0, 12), qt(light.fate), {words, false, true});
 }
 

@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "state/diagram.h"
+#include "state/diagram_looks.h"
 #include "state/emphasis.h"
 #include "state/palette.h"
 
@@ -11,8 +11,9 @@ namespace raytree::inspector {
 /// The look of a diagram: the lecture's tree in the colours of the theme.
 class DiagramDrawing {
   public:
-    DiagramDrawing(QPainter& painter, const Diagram& diagram, const Palette& palette,
-                   Quantize quantize);
+    /// `looks`: one for each box.
+    DiagramDrawing(QPainter& painter, const Diagram& diagram, const std::vector<BoxLook>& looks,
+                   const Palette& palette, Quantize quantize);
 
     /// What lies in `visible`, in the diagram's units, with one spot marked and the way to it.
     void draw(const QRectF& visible, DiagramSpot chosen, const Emphasis& emphasis);
@@ -36,6 +37,9 @@ class DiagramDrawing {
     void write(const QRectF& line, const QString& text, const Lettering& lettering,
                Qt::Alignment alignment = Qt::AlignLeft);
 
+    const BoxLook& look(const DiagramBox& box) const {
+        return looks_[static_cast<std::size_t>(&box - diagram_.boxes.data())];
+    }
     void draw_way(std::size_t box);
     void draw_edge(const DiagramBox& box, const Stroke& stroke, int alpha = 255);
     void draw_label(const DiagramBox& box);
@@ -48,6 +52,7 @@ class DiagramDrawing {
 
     QPainter& painter_;
     const Diagram& diagram_;
+    const std::vector<BoxLook>& looks_;
     const Palette& palette_;
     Quantize quantize_;
     QFont font_;

@@ -30,7 +30,8 @@ DiagramPane::DiagramPane(State& state, QWidget* parent) : QWidget(parent), state
 /// The diagram is made once it is looked at.
 void DiagramPane::obey(const Changes& changes) {
     stale_ |= changes.tree || changes.tree_pane;
-    own_view_ |= changes.tree;
+    stale_looks_ |= stale_ || changes.playback;
+    own_view_ |= changes.tree && !changes.values;
     reveal_ |= changes.selection || changes.tree_pane;
     const QPointF centre(width() / 2.0, height() / 2.0);
     if (changes.request == Request::fit_diagram) {
@@ -51,6 +52,9 @@ void DiagramPane::prepare() {
         folded_below_ = tree_ ? fold_of(*tree_, state_.tree_pane()) : 0;
         diagram_ = tree_ ? diagram_of(tree_->tree, folded_below_) : Diagram();
         own_view_ ? begin_view() : keep_in_place();
+    }
+    if (std::exchange(stale_looks_, false)) {
+        looks_ = tree_ ? box_looks(diagram_, *tree_, state_.playback()) : std::vector<BoxLook>();
     }
     if (reveal_ && tree_) {
         reveal_ = false;
@@ -124,7 +128,10 @@ QPointF DiagramPane::place_of_ray(std::size_t ray) {
 std::optional<DiagramSpot> DiagramPane::spot_under(QPointF place) {
     prepare();
     const QPointF at = to_diagram(place);
-    return spot_at(diagram_, at.x(), at.y());
+    const auto spot = spot_at(diagram_, at.x(), at.y());
+    const bool hidden = spot && (spot->light ? looks_[spot->box].hidden_lights[*spot->light]
+                                             : looks_[spot->box].hidden);
+    return hidden ? std::nullopt : spot;
 }
 
 void DiagramPane::resizeEvent(QResizeEvent*) {
@@ -148,7 +155,7 @@ void DiagramPane::paintEvent(QPaintEvent*) {
         painter.translate(origin_);
         painter.scale(scale_, scale_);
         const QRectF visible(to_diagram({0, 0}), QSizeF(size()) / scale_);
-        DiagramDrawing(painter, diagram_, palette, tree_->tree.settings.quantize)
+        DiagramDrawing(painter, diagram_, looks_, palette, tree_->tree.settings.quantize)
             .draw(visible, spot_of(diagram_, *tree_, state_.selected()->id), emphasis_of(state_));
         painter.restore();
         draw_note(painter);

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "state/diagram.h"
+#include "state/diagram_looks.h"
 #include "state/state.h"
 
 namespace raytree::inspector {
@@ -48,6 +48,8 @@ class DiagramPane : public QWidget {
     Diagram diagram_;
     std::shared_ptr<const PixelTree> tree_;  ///< of the diagram, which points into it
     double folded_below_ = 0;
+    std::vector<BoxLook> looks_;  ///< of its boxes
+    bool stale_looks_ = true;
     bool stale_ = true;     ///< whether the diagram is another one by now
     bool reveal_ = true;    ///< whether the selection is still to be scrolled to
     bool own_view_ = true;  ///< as long as nobody has zoomed or moved

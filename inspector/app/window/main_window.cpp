@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -19,7 +20,9 @@
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
+#include "window/explained_pane.h"
 #include "window/exporter.h"
+#include "window/files.h"
 #include "window/filter_pane.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
@@ -28,6 +31,7 @@
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
+#include "window/side_dock.h"
 #include "window/theme.h"
 
 namespace raytree::inspector {
@@ -44,6 +48,9 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
     add_lesson_dock();
+    side_ = new SideDock(
+        state_, [this](const InputError& error) { report(error); }, this);
+    addDockWidget(Qt::RightDockWidgetArea, side_);
 
     pixel_ = new QLabel;
     counts_ = new QLabel;
@@ -58,6 +65,10 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->give_keys_to(picture_);
     actions_->give_keys_to(scene_);
+    files_ = new Files(
+        state_, this, [this](const QString& title) { return ask_file(title); },
+        [this](const InputError& error) { report(error); });
+    actions_->leave_to(*files_);
     new Exporter(state_, this, scene_);
     tracing_.setInterval(30);
     connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
@@ -84,7 +95,8 @@ void MainWindow::add_tree_dock() {
     const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
                                                       {"Diagram", diagram_},
                                                       {"Counts", counts_pane_},
-                                                      {"Rays shown", filter_}};
+                                                      {"Rays shown", filter_},
+                                                      {"Explained", new ExplainedPane(state_)}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));
         tree_panes_->addWidget(pane);
@@ -188,9 +200,13 @@ void MainWindow::share_room() {
         resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},
                     Qt::Horizontal);
     }
+    if (teaches && side_->isVisibleTo(this)) {
+        resizeDocks({lesson_dock_, side_}, {height() * 55 / 100, height() * 45 / 100},
+                    Qt::Vertical);
+    }
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
-    resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
+    resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     resizeDocks({tree_dock_}, {below}, Qt::Vertical);
     resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);
 }
@@ -207,9 +223,15 @@ void MainWindow::obey(const Changes& changes) {
                                     .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
                                          qt(palette.rule).name()));
     }
+    if (changes.playback && state_.document()) {
+        show_status();
+    }
     if (changes.tree) {
         show_status();
         state_.tracing() ? tracing_.start() : tracing_.stop();
+    }
+    if (changes.side_pane && side_->isVisible()) {
+        resizeDocks({side_}, {std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     }
     if (changes.tree_pane) {
         show_tab();
@@ -224,7 +246,12 @@ void MainWindow::obey(const Changes& changes) {
                                           ? QStringLiteral("Selected object")
                                           : QStringLiteral("Selected light"));
     }
-    if (changes.request == Request::cheat_sheet) {
+    if (changes.values || changes.document) {
+        setWindowModified(state_.edits().unsaved());
+    }
+    if (changes.request == Request::save_scene_as) {
+        actions_->run(*find_command("file.save_as"), {});
+    } else if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);
     } else if (changes.request == Request::quit) {
         close();
@@ -235,9 +262,12 @@ void MainWindow::show_status() {
     const Document& document = *state_.document();
     const std::string& name = document.scene().name;
     setWindowTitle(qt(name.empty() ? document.file().filename().string() : name) +
-                   QStringLiteral(" — raytree inspector"));
+                   QStringLiteral("[*] — raytree inspector"));
     if (state_.tree()) {
-        pixel_->setText(qt(pixel_text(state_.tree()->tree)));
+        const bool pending = state_.playback() && state_.playback()->stage(0) != Stage::evaluated;
+        pixel_->setText(pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
+                                      QStringLiteral("   … not known yet")
+                                : qt(pixel_text(state_.tree()->tree)));
         counts_->setText(qt(counts_text(state_.tree()->tree)));
     } else {
         pixel_->setText(QStringLiteral("Pixel ") + qt(text_of(state_.pixel())));
@@ -287,6 +317,8 @@ void MainWindow::report(const InputError& error) {
 void MainWindow::open(const QString& file) {
     actions_->run(*find_command("file.open"), file.toStdString());
 }
+
+void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(files_->may_leave()); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();

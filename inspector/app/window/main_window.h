@@ -16,11 +16,13 @@ class CountsPane;
 class FilterPane;
 class DetailsPane;
 class DiagramPane;
+class Files;
 class LessonPane;
 class OutlinePane;
 class PanelFrame;
 class PicturePane;
 class ScenePane;
+class SideDock;
 
 /// The window: 3D view in the middle, picture and details at the left, the tree below:
 /// as an outline, a diagram or counts.
@@ -38,6 +40,8 @@ class MainWindow : public QMainWindow {
     CountsPane& counts_pane() const { return *counts_pane_; }
     LessonPane& lesson_pane() const { return *lesson_pane_; }
     FilterPane& filter_pane() const { return *filter_; }
+    SideDock& side_dock() const { return *side_; }
+    Files& files() const { return *files_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -45,6 +49,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -66,6 +71,8 @@ class MainWindow : public QMainWindow {
     State& state_;
     PictureFeed feed_;
     Actions* actions_ = nullptr;
+    Files* files_ = nullptr;
+    SideDock* side_ = nullptr;
     PicturePane* picture_ = nullptr;
     ScenePane* scene_ = nullptr;
     OutlinePane* outline_ = nullptr;

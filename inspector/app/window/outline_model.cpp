@@ -3,6 +3,7 @@
 #include <QFont>
 
 #include "formats/tree_diagram.h"
+#include "state/marked_texts.h"
 #include "tree/explain.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
@@ -14,23 +15,31 @@ void OutlineModel::show(const State& state) {
     state_ = &state;
     tree_ = state.tree();
     const Table& table = state.table();
-    sorted_ = tree_ && table.sorted_by;
+    sorted_ = tree_ && table.sorted_by && !state.playback();  // steps are taken along the tree
     rays_ = sorted_ ? sorted_rays(*tree_, *table.sorted_by, table.descending)
                     : std::vector<std::size_t>();
     places_.resize(rays_.size());
     for (std::size_t k = 0; k < rays_.size(); ++k) {
         places_[rays_[k]] = k;
     }
-    outline_ = Outline(tree_, state.look().ghosts);
-    theme_ = state.look().theme;
+    outline_ = Outline(tree_, state.look().ghosts, happened_rows(state.playback()));
+    draw_signs(state.look().theme);
     quantize_ = state.document() ? state.document()->scene().settings.quantize : Quantize::round;
+    endResetModel();
+}
+
+/// Once for each theme: they are drawn, and a tree is shown with every click.
+void OutlineModel::draw_signs(Theme theme) {
+    if (theme == theme_ && !signs_[0].isNull()) {
+        return;
+    }
+    theme_ = theme;
     for (std::size_t k = 0; k < look_count; ++k) {
         signs_[k] = sign_of(static_cast<RayLook>(k), palette_of(theme_));
     }
     for (std::size_t k = 0; k < ghost_signs_.size(); ++k) {
         ghost_signs_[k] = ghost_sign(static_cast<RayKind>(k), palette_of(theme_));
     }
-    endResetModel();
 }
 
 /// Of the outline, a row's place in it; of the sorted table, the ray.
@@ -80,18 +89,30 @@ int OutlineModel::rowCount(const QModelIndex& parent) const {
                : static_cast<int>(outline_.children_of(parent.internalId()).size());
 }
 
+/// Whether all is known of a ray: while the tree is stepped through, only what has happened.
+bool OutlineModel::is_known(std::size_t ray) const {
+    const auto& playback = state_->playback();
+    return !playback || playback->stage(ray) == Stage::evaluated;
+}
+
 QVariant OutlineModel::text(const OutlineRow& row, Column column) const {
-    if (!row.skipped) {
+    if (!row.skipped && is_known(row.ray) && column != Column::ray && column != Column::met) {
         return qt(text_of(*tree_, row.ray, column));
     }
-    const OutlineTexts texts = texts_of(*tree_, row);
+    const OutlineTexts texts = marked_texts_of(*tree_, row, state_->playback());
     switch (column) {
         case Column::ray:
-            return qt(texts.ray);
+            return row.skipped ? qt(texts.ray) : qt(number_of(*tree_, row.ray) + "  " + texts.ray);
+        case Column::t:
+            return qt(texts.t);
+        case Column::intensity:
+            return qt(texts.intensity);
         case Column::met:
             return qt(texts.met);
         case Column::ended:
-            return qt(short_reason(tree_->tree.rays[row.ray].skipped[*row.skipped].reason));
+            return row.skipped
+                       ? qt(short_reason(tree_->tree.rays[row.ray].skipped[*row.skipped].reason))
+                       : qt(texts.ended);
         default:
             return {};
     }
@@ -104,7 +125,9 @@ QVariant OutlineModel::icon(const OutlineRow& row, Column column) const {
         return row.skipped ? ghost_signs_[static_cast<std::size_t>(ray.skipped[*row.skipped].kind)]
                            : signs_[static_cast<std::size_t>(look_of(ray))];
     }
-    if (const auto colour = swatch_of(*tree_, row); column == Column::intensity && colour) {
+    const bool known = is_known(row.ray);
+    if (const auto colour = swatch_of(*tree_, row);
+        column == Column::intensity && colour && known) {
         const auto [r, g, b] = eight_bit(*colour, quantize_).value;
         return swatch(QColor(r, g, b), palette);
     }
@@ -113,7 +136,7 @@ QVariant OutlineModel::icon(const OutlineRow& row, Column column) const {
 
 bool OutlineModel::is_faint(const OutlineRow& row, Column column) const {
     const RayFilter& filter = state_->look().filter;
-    return row.skipped || column == Column::ended ||
+    return row.skipped || column == Column::ended || !tree_->is_own(row.ray) ||
            (!filter.empty() && shown(filter, *tree_, tree_->tree.rays[row.ray]) != Shown::full);
 }
 
@@ -130,8 +153,9 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return text(row, column);
         case Qt::ToolTipRole:
-            return row.skipped || column == Column::ended ? qt(texts_of(*tree_, row).ended)
-                                                          : text(row, column);
+            return row.skipped || column == Column::ended
+                       ? qt(marked_texts_of(*tree_, row, state_->playback()).ended)
+                       : text(row, column);
         case Qt::DecorationRole:
             return icon(row, column);
         case Qt::TextAlignmentRole:
@@ -143,9 +167,10 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
             return is_marked(row) ? QVariant(qt(palette_of(theme_).selection, 26)) : QVariant();
         case Qt::FontRole: {
             QFont font;
-            font.setItalic(row.skipped.has_value());
-            font.setBold(column == Column::ray && is_marked(row));
-            return row.skipped || font.bold() ? QVariant(font) : QVariant();
+            font.setItalic(row.skipped || !tree_->is_own(row.ray));
+            font.setBold((column == Column::ray && is_marked(row)) ||
+                         (!row.skipped && tree_->mark(row.ray) == RayMark::different));
+            return font.italic() || font.bold() ? QVariant(font) : QVariant();
         }
         default:
             return {};

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "state/outline.h"
+#include "state/playback.h"
 #include "state/state.h"
 
 namespace raytree::inspector {
@@ -32,9 +33,11 @@ class OutlineModel : public QAbstractItemModel {
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
+    void draw_signs(Theme theme);
     QModelIndex index_of(std::size_t place, int column) const;
     QVariant text(const OutlineRow& row, Column column) const;
     QVariant icon(const OutlineRow& row, Column column) const;
+    bool is_known(std::size_t ray) const;
     bool is_faint(const OutlineRow& row, Column column) const;
     bool is_marked(const OutlineRow& row) const;
 

@@ -46,10 +46,10 @@ void OutlinePane::obey(const Changes& changes) {
         show_columns();
         size_columns();
     }
-    if (changes.tree || changes.look || changes.document || changes.table) {
+    if (changes.tree || changes.look || changes.document || changes.table || changes.playback) {
         show_tree();
     }
-    if (changes.selection || changes.look || changes.table) {
+    if (changes.selection || changes.look || changes.table || changes.playback) {
         show_selection();
     }
     if (changes.request == Request::choose_columns) {

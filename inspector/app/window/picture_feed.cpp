@@ -6,10 +6,11 @@ PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state
     timer_.setInterval(60);
     connect(&timer_, &QTimer::timeout, this, &PictureFeed::poll);
     state_.observe([this](const Changes& changes) {
-        if (changes.document) {
+        if (changes.document || changes.values) {
             restart();
         }
-        if (changes.document || (changes.look && state_.look().overlay != measure_)) {
+        if (changes.document || changes.values ||
+            (changes.look && state_.look().overlay != measure_)) {
             measure();
         }
     });
@@ -25,7 +26,7 @@ void PictureFeed::restart() {
         render_->cancel();
         ending_.push_back(std::move(render_));
     }
-    render_ = std::make_unique<PictureRender>(state_.document());
+    render_ = std::make_unique<PictureRender>(state_.document(), &picture_);
     version_ = ~std::uint64_t{0};
     timer_.start();
     poll();

@@ -128,6 +128,7 @@ void PicturePane::paintEvent(QPaintEvent*) {
     if (scale_ >= values_from) {
         draw_values(painter);
     }
+    draw_compared(painter);
     draw_cross(painter);
 }
 
@@ -220,6 +221,23 @@ void PicturePane::draw_cross(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     draw(QColor(255, 255, 255, 235), 3.6);
     draw(QColor(16, 21, 27), 1.4);
+}
+
+/// The pixel that others are compared with, by a letter beside it.
+void PicturePane::draw_compared(QPainter& painter) const {
+    const auto pixel = state_.compared_pixel();
+    if (!pixel) {
+        return;
+    }
+    const QPointF at = rect_of(*pixel).center();
+    const QRectF tag(at + QPointF(5, -21), QSizeF(16, 16));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(255, 255, 255, 235), 1.4));
+    painter.setBrush(QColor(16, 21, 27));
+    painter.drawLine(at, tag.bottomLeft() + QPointF(2, -2));
+    painter.drawEllipse(at, 2.5, 2.5);
+    painter.drawRoundedRect(tag, 3, 3);
+    painter.drawText(tag, Qt::AlignCenter, QStringLiteral("A"));
 }
 
 void PicturePane::resizeEvent(QResizeEvent*) {

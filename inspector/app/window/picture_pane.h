@@ -46,6 +46,7 @@ class PicturePane : public QWidget {
     void draw_grid(QPainter& painter) const;
     void draw_values(QPainter& painter) const;
     void draw_cross(QPainter& painter) const;
+    void draw_compared(QPainter& painter) const;
 
     State& state_;
     PictureFeed& feed_;

@@ -8,8 +8,11 @@
 
 #include "formats/output_file.h"
 #include "state/commands.h"
+#include "window/contact_sheet.h"
 #include "window/exporter.h"
+#include "window/files.h"
 #include "window/main_window.h"
+#include "window/remembered_table.h"
 #include "window/scene_pane.h"
 
 namespace raytree::inspector {
@@ -32,6 +35,15 @@ void wait_until_drawn(const State& state, MainWindow& window) {
     QApplication::processEvents();
 }
 
+/// What a script does next may be about the tree that it has just asked for.
+void wait_for_tree(State& state) {
+    QElapsedTimer time;
+    time.start();
+    while (state.tracing() && time.elapsed() < longest_wait) {
+        state.poll(std::chrono::milliseconds(50));
+    }
+}
+
 void take_screenshot(const State& state, MainWindow& window, const std::filesystem::path& file) {
     wait_until_drawn(state, window);
     write_output(file.string(), png_of(window));
@@ -49,24 +61,37 @@ void prepare_qt() {
 int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
     prepare_qt();
     // A screenshot has the size asked for on every display.
-    QApplication::setAttribute(options.screenshot ? Qt::AA_DisableHighDpiScaling
-                                                  : Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(options.screenshot || options.contact_sheet
+                                   ? Qt::AA_DisableHighDpiScaling
+                                   : Qt::AA_EnableHighDpiScaling);
     QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("raytree"));
     QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
 
     // The panes are told of what is open by its being shown once more.
-    const Opened opened{state.document(), state.pixel(), {state.message()}};
     MainWindow window(state);
     window.resize(options.width, options.height);
     window.show();
-    if (opened.document) {
-        state.show(opened);
-        state.show_lesson_view();
+    state.show_again();
+    state.show_lesson_view();
+    if (!options.screenshot && !options.contact_sheet) {
+        window.files().remember();
     }
     QApplication::processEvents();  // the panes take their sizes
     for (const std::string& line : options.script) {
         run_line(state, line);
+        wait_for_tree(state);
+    }
+    if (!options.screenshot && options.script.empty()) {
+        remember_table(state);
+    }
+    if (options.contact_sheet) {
+        write_contact_sheet(state, *options.contact_sheet, [&] {
+            wait_until_drawn(state, window);
+            return png_of(window);
+        });
+        return 0;
     }
     if (options.screenshot) {
         take_screenshot(state, window, *options.screenshot);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "drawing/explained_mesh.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/words.h"
@@ -178,6 +179,59 @@ void SceneOverlay::draw_label(QPainter& painter, const SceneLabel& label,
     painter.restore();
 }
 
+namespace {
+
+constexpr std::size_t most_marks = 14;
+
+/// Halfway along a ray, or near its start where it has no end.
+Point3 along_way(const TreeRay<double>& ray, const Extent& extent) {
+    const double way = ray.hit                                ? ray.hit->t / 2
+                       : ray.shadow && ray.shadow->blocked_by ? ray.shadow->blocked_by->t / 2
+                                                              : 0.12 * extent.diagonal;
+    return along(ray.origin, way, ray.direction);
+}
+
+/// The sign of each ray that is not the same in both trees, those first where it begins.
+void add_marks(std::vector<SceneLabel>& labels, const State& state, const Extent& extent) {
+    const auto& tree = state.tree();
+    if (!tree || !tree->contrast) {
+        return;
+    }
+    std::size_t count = 0;
+    const auto add = [&](const TreeRay<double>& ray, bool causes) {
+        const RayMark mark = tree->mark(ray.id);
+        const bool sent = !state.playback() || state.playback()->stage(ray.id) != Stage::unsent;
+        const bool due = mark != RayMark::none && mark != RayMark::same && sent &&
+                         shown(state.look().filter, *tree, ray) != Shown::hidden;
+        const bool below_cut =
+            mark == RayMark::cut && ray.parent && tree->mark(*ray.parent) == RayMark::cut;
+        if (due && !below_cut && causes == (mark != RayMark::follows) && count < most_marks) {
+            labels.push_back({along_way(ray, extent),
+                              qt(std::string(text_of(mark).sign) + " " + number_of(*tree, ray.id)),
+                              mark == RayMark::different});
+            ++count;
+        }
+    };
+    for (const bool causes : {true, false}) {
+        for (const TreeRay<double>& ray : tree->tree.rays) {
+            add(ray, causes);
+        }
+    }
+}
+
+}  // namespace
+
+std::string contrast_note(const State& state) {
+    const auto& tree = state.tree();
+    if (!tree || !tree->contrast) {
+        return {};
+    }
+    if (tree->contrast->what == Contrast::What::cut) {
+        return tree->grafted == 0 ? "" : "╌ cut away by the change (Esc lets go)";
+    }
+    return "≠ differs   ~ follows   − missing   + extra";
+}
+
 std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
                                      bool from_the_eye) {
     std::vector<SceneLabel> labels;
@@ -199,6 +253,10 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true});
     }
+    for (const ExplainedMark& mark : explained_marks(state, extent)) {
+        labels.push_back({mark.at, qt(mark.words), true});
+    }
+    add_marks(labels, state, extent);
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const bool chosen = state.thing() == Thing{Thing::Kind::light, k};
         labels.push_back({place_of(scene.lights[k], extent), qt(scene.lights[k].name), chosen});

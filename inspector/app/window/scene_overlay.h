@@ -47,6 +47,9 @@ class SceneOverlay : public QWidget {
     QStringList notes_;
 };
 
+/// What the signs of a compared tree mean; empty where none is.
+std::string contrast_note(const State& state);
+
 /// The names of what stands in the 3D view just now.
 std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
                                      bool from_the_eye);

@@ -17,6 +17,7 @@
 #include "drawing/standard_views.h"
 #include "state/details.h"
 #include "state/emphasis.h"
+#include "state/marked_texts.h"
 #include "state/outline.h"
 #include "state/thing_details.h"
 #include "window/qt_text.h"
@@ -80,7 +81,10 @@ void ScenePane::obey(const Changes& changes) {
         scene3d_.set_theme(palette_of(state_.look().theme));
         stale_shapes_ = true;
     }
-    if (changes.tree || changes.look) {
+    if (changes.coats) {
+        take_document();
+    }
+    if (changes.tree || changes.look || changes.playback) {
         take_tree();
     }
     if (changes.document) {
@@ -96,7 +100,8 @@ void ScenePane::obey(const Changes& changes) {
         view.up = changes.view_from->up;
         change_view(view);
     }
-    if (changes.document || changes.tree || changes.selection || changes.look) {
+    if (changes.document || changes.tree || changes.selection || changes.look || changes.playback ||
+        changes.explained) {
         redraw();
     }
 }
@@ -143,6 +148,11 @@ void ScenePane::take_tree() {
     paths_.clear();
     if (state_.tree()) {
         paths_ = ray_paths(*state_.tree(), extent_, state_.look().filter);
+        if (const auto& playback = state_.playback()) {
+            std::erase_if(paths_, [&](const RayPath& path) {
+                return playback->stage(path.ray) == Stage::unsent;
+            });
+        }
     }
     show_notes();
 }
@@ -159,6 +169,9 @@ void ScenePane::show_notes() {
         notes << QStringLiteral("drawn are the %1 weightiest of %2 rays")
                      .arg(paths_.size())
                      .arg(state_.tree()->tree.rays.size());
+    }
+    if (const std::string contrast = contrast_note(state_); !contrast.empty()) {
+        notes << qt(contrast);
     }
     overlay_->set_notes(notes);
 }
@@ -228,11 +241,14 @@ void ScenePane::prepare_rays() {
         const PixelTree& tree = *state_.tree();
         const std::size_t ray = state_.selected()->id;
         rays = ray_meshes({paths_, tree, ray, extent_, view_, palette, set_aside(state_)});
-        angles = angle_drawing({*state_.document(), tree, ray, extent_, view_, palette,
-                                state_.look().angles, state_.look().ghosts});
+        if (can_derive(tree, ray, state_.playback())) {
+            angles = angle_drawing({*state_.document(), tree, ray, extent_, view_, palette,
+                                    state_.look().angles, state_.look().ghosts});
+        }
     }
     scene3d_.set_rays(rays);
     scene3d_.set_angles(angles);
+    scene3d_.set_explained(explained_mesh(state_, extent_, view_));
     scene3d_.set_view(view_);
     std::vector<SceneLabel> labels;
     for (const DrawnWords& words : angles.words) {

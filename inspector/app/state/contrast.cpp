@@ -1,0 +1,105 @@
+#include "state/contrast.h"
+
+#include <algorithm>
+
+#include "check/align.h"
+#include "check/check.h"
+#include "check/conventions.h"
+#include "check/describe.h"
+#include "check/forge.h"
+#include "check/rulebook.h"
+#include "state/contrast_lines.h"
+#include "tree/explain.h"
+#include "tree/record.h"
+
+namespace raytree::inspector {
+namespace {
+
+/// Appends the rays that only `other` has to where they would have been sent from.
+void graft(PixelTree& shown, Contrast& contrast) {
+    const check::Alignment found = check::align(shown.tree, contrast.other);
+    contrast.counterparts = found.of_first;
+    std::vector<std::optional<std::size_t>> place = found.of_second;
+    for (const TreeRay<double>& ray : contrast.other.rays) {
+        if (place[ray.id] || !ray.parent || !place[*ray.parent]) {
+            continue;
+        }
+        TreeRay<double> added = ray;
+        added.id = shown.tree.rays.size();
+        added.parent = place[*ray.parent];
+        place[ray.id] = added.id;
+        shown.children[*added.parent].push_back(added.id);
+        shown.children.emplace_back();
+        shown.tree.rays.push_back(std::move(added));
+        contrast.counterparts.push_back(ray.id);
+        ++shown.grafted;
+    }
+}
+
+/// The truth by the conventions of whoever recorded the tree.
+PixelTree truth_for(const TreeSource& source, const std::string& profile) {
+    const check::Rulebooks books(source.document->scene(),
+                                 source.document->loaded().format == SceneFormat::course_text);
+    const check::Rulebook& book = books.of(check::profile_named(profile));
+    PixelTree tree;
+    tree.tree = check::forge_tree(book.place, book.laws, source.pixel.i, source.pixel.j);
+    tree.children = children_of(tree.tree);
+    return tree;
+}
+
+/// Holds the recorded tree against the truth.
+check::Report judged(const TreeSource& recorded, const TreeSource& traced) {
+    check::CheckOptions options;
+    options.course_text = traced.document->loaded().format == SceneFormat::course_text;
+    const check::Checker checker(traced.document->scene(), options);
+    return checker.check(*recorded.recorded);
+}
+
+}  // namespace
+
+PixelTree tree_from(const TreeSource& source) {
+    PixelTree tree;
+    if (source.recorded) {
+        tree.tree = source.recorded->tree;
+        tree.recorded = source.recorded;
+    } else {
+        tree.tree = record_tree(source.document->world(), source.pixel.i, source.pixel.j);
+        tree.tree.scene_sha256 = source.document->loaded().sha256;
+    }
+    tree.children = children_of(tree.tree);
+    return tree;
+}
+
+PixelTree laid_over(const TreeSource& shown_source, const Comparison& with) {
+    auto contrast = std::make_shared<Contrast>();
+    contrast->what = with.what;
+    contrast->shown_name = shown_source.name;
+    contrast->other_name = with.other.name;
+    contrast->shown_is_reference = with.shown_is_reference;
+    contrast->other_recorded = with.other.recorded;
+
+    std::optional<check::Report> report;
+    const bool shown_is_recorded = shown_source.recorded != nullptr;
+    if (shown_is_recorded != (with.other.recorded != nullptr)) {
+        report =
+            shown_is_recorded ? judged(shown_source, with.other) : judged(with.other, shown_source);
+    }
+    const bool by_conventions = report && report->profile != check::profiles().front().name &&
+                                report->verdict != check::Verdict::unreadable;
+    const auto tree_of = [&](const TreeSource& source) {
+        return by_conventions && !source.recorded ? truth_for(source, report->profile)
+                                                  : tree_from(source);
+    };
+    PixelTree shown = tree_of(shown_source);
+    contrast->other = tree_of(with.other).tree;
+    graft(shown, *contrast);
+    if (report) {
+        mark_by_findings(shown, *contrast, *report, shown_is_recorded);
+    } else {
+        mark_by_numbers(shown, *contrast);
+    }
+    shown.contrast = std::move(contrast);
+    return shown;
+}
+
+}  // namespace raytree::inspector

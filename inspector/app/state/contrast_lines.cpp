@@ -1,0 +1,269 @@
+#include "state/contrast_lines.h"
+
+#include <algorithm>
+
+#include "check/align.h"
+#include "check/describe.h"
+#include "tree/explain.h"
+
+namespace raytree::inspector {
+namespace {
+
+using What = Contrast::What;
+
+// Relative; what is less is rounding.
+constexpr double same_tracer = 1e-9, as_recorded = 1e-5;
+
+/// What a ray becomes by others' differences alone.
+bool is_passed_on(Field field) {
+    return field == Field::intensity || field == Field::weight || field == Field::origin ||
+           field == Field::light;
+}
+/// What the rays that are sent from a hit depend on.
+bool is_handed_down(Field field) { return field <= Field::sin2_transmitted; }
+
+bool is_decision(Field field) {
+    return field == Field::object || field == Field::side || field == Field::blocked_by ||
+           field == Field::termination;
+}
+
+RayMark mark_of_own(const Contrast& contrast) {
+    return contrast.what == What::cut    ? RayMark::none
+           : contrast.shown_is_reference ? RayMark::missing
+                                         : RayMark::extra;
+}
+RayMark mark_of_graft(const Contrast& contrast) {
+    return contrast.what == What::cut    ? RayMark::cut
+           : contrast.shown_is_reference ? RayMark::extra
+                                         : RayMark::missing;
+}
+
+/// Marks what has no counterpart; all else is the same until it turns out not to be.
+void mark_presence(const PixelTree& shown, Contrast& contrast) {
+    for (std::size_t ray = 0; ray < shown.tree.rays.size(); ++ray) {
+        const bool graft = !shown.is_own(ray);
+        contrast.marks.push_back(graft                         ? mark_of_graft(contrast)
+                                 : !contrast.counterparts[ray] ? mark_of_own(contrast)
+                                 : contrast.what == What::cut  ? RayMark::none
+                                                               : RayMark::same);
+    }
+}
+
+std::string side_by_side(const check::FieldDifference& one, const Contrast& contrast) {
+    const check::Value& before = contrast.shown_is_reference ? one.first : one.second;
+    const check::Value& after = contrast.shown_is_reference ? one.second : one.first;
+    const auto text = [](const check::Value& value) {
+        return value.none() ? std::string("none") : check::value_text(value);
+    };
+    return std::string(check::text_of(one.field).name) + " " + text(before) + " → " + text(after);
+}
+
+/// The differences of a ray and its counterpart that are not only of what no one gave.
+std::vector<check::FieldDifference> differences_of(const PixelTree& shown, const Contrast& contrast,
+                                                   std::size_t ray) {
+    const std::size_t other = *contrast.counterparts[ray];
+    const bool is_recorded = shown.recorded || contrast.other_recorded;
+    auto found = check::differences(shown.tree, ray, contrast.other, other,
+                                    is_recorded ? as_recorded : same_tracer);
+    std::erase_if(found, [&](const check::FieldDifference& one) {
+        return (shown.recorded && !shown.recorded->gives(ray, one.field)) ||
+               (contrast.other_recorded && !contrast.other_recorded->gives(other, one.field));
+    });
+    return found;
+}
+
+std::string absent_text(const PixelTree& shown, std::size_t ray, RayMark mark) {
+    const TreeRay<double>& one = shown.tree.rays[ray];
+    return number_of(shown, ray) + " " + std::string(word_of(one.kind)) + " ray" +
+           (one.shadow ? " to " + one.shadow->light : "") + " is " +
+           std::string(text_of(mark).word);
+}
+
+/// The union's ray that a ray of the other tree is.
+std::vector<std::size_t> places_of_other(const PixelTree& shown, const Contrast& contrast) {
+    std::vector<std::size_t> places(contrast.other.rays.size());
+    for (std::size_t ray = 0; ray < shown.tree.rays.size(); ++ray) {
+        if (contrast.counterparts[ray]) {
+            places[*contrast.counterparts[ray]] = ray;
+        }
+    }
+    return places;
+}
+
+std::size_t place_of_missing(const PixelTree& shown, std::size_t parent,
+                             const check::Finding& finding) {
+    return check::corresponding(shown.tree, shown.children[parent], finding.kind, finding.light)
+        .value_or(parent);
+}
+
+RayMark mark_of(const check::Finding& finding) {
+    using check::Problem;
+    return finding.problem == Problem::missing ? RayMark::missing
+           : finding.problem == Problem::extra ? RayMark::extra
+           : finding.follows_from              ? RayMark::follows
+                                               : RayMark::different;
+}
+
+void put_causes_first(Contrast& contrast) {
+    std::ranges::stable_partition(
+        contrast.lines, [](const ContrastLine& line) { return line.mark != RayMark::follows; });
+}
+
+}  // namespace
+
+void mark_by_findings(const PixelTree& shown, Contrast& contrast, const check::Report& report,
+                      bool of_shown) {
+    mark_presence(shown, contrast);
+    const auto places = of_shown ? std::vector<std::size_t>() : places_of_other(shown, contrast);
+    std::vector<ContrastLine> following;
+    for (const check::Finding& finding : report.findings) {
+        const std::string text = check::sentence(finding, report);
+        if (finding.problem == check::Problem::whole) {
+            contrast.remarks.push_back(text);
+            continue;
+        }
+        std::size_t ray = of_shown ? finding.ray : places[finding.ray];
+        const RayMark mark = mark_of(finding);
+        if (finding.problem == check::Problem::missing) {
+            ray = place_of_missing(shown, ray, finding);
+        }
+        RayMark& drawn = contrast.marks[ray];
+        if (drawn == RayMark::same || (drawn == RayMark::follows && mark == RayMark::different)) {
+            drawn = mark;
+        }
+        auto& list = finding.follows_from ? following : contrast.lines;
+        list.push_back({ray, finding.follows_from ? RayMark::follows : mark, text});
+    }
+    contrast.lines.insert(contrast.lines.end(), following.begin(), following.end());
+    for (const check::NamedMistake& mistake : report.mistakes) {
+        contrast.remarks.push_back((mistake.sure ? "" : "Perhaps: ") + mistake.text);
+    }
+    if (report.profile != "lecture") {
+        contrast.remarks.push_back("Judged by the conventions “" + report.profile + "”.");
+    }
+}
+
+void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
+    mark_presence(shown, contrast);
+    if (contrast.what == What::cut) {
+        return;
+    }
+    std::vector<bool> handed_down(shown.tree.rays.size());
+    for (const TreeRay<double>& ray : shown.tree.rays) {
+        RayMark& mark = contrast.marks[ray.id];
+        if (mark != RayMark::same) {
+            const bool first = !ray.parent || contrast.marks[*ray.parent] != mark;
+            contrast.lines.push_back(
+                {ray.id, first ? mark : RayMark::follows, absent_text(shown, ray.id, mark)});
+            continue;
+        }
+        auto found = differences_of(shown, contrast, ray.id);
+        if (contrast.what == What::pixel) {
+            std::erase_if(found, [](const auto& one) { return !is_decision(one.field); });
+        }
+        if (found.empty()) {
+            continue;
+        }
+        const bool from_above = ray.parent && handed_down[*ray.parent];
+        const bool own =
+            std::ranges::any_of(found, [](const auto& one) { return !is_passed_on(one.field); });
+        handed_down[ray.id] =
+            std::ranges::any_of(found, [](const auto& one) { return is_handed_down(one.field); });
+        mark = own && !from_above ? RayMark::different : RayMark::follows;
+        const auto first =
+            std::ranges::find_if(found, [](const auto& one) { return !is_passed_on(one.field); });
+        const auto& told = first == found.end() ? found.front() : *first;
+        std::string text = number_of(shown, ray.id) + " " + std::string(word_of(ray.kind)) +
+                           " ray: " + side_by_side(told, contrast);
+        if (found.size() > 1) {
+            text += ", and " + std::to_string(found.size() - 1) + " more";
+        }
+        contrast.lines.push_back({ray.id, mark, std::move(text)});
+    }
+    put_causes_first(contrast);
+}
+
+std::string summary_of(const Contrast& contrast) {
+    const auto count = [&](RayMark mark) { return std::ranges::count(contrast.marks, mark); };
+    const auto causes = count(RayMark::different), follow = count(RayMark::follows);
+    const auto missing = count(RayMark::missing), extra = count(RayMark::extra);
+    if (causes + follow + missing + extra == 0) {
+        return contrast.lines.empty()
+                   ? "Every ray is the same in both."
+                   : "The rays are the same in both, but for what is said below.";
+    }
+    return std::to_string(count(RayMark::same)) + " rays the same, " +
+           std::to_string(causes + follow) + " different (" + std::to_string(causes) +
+           " where it begins, " + std::to_string(follow) + " that follow), " +
+           std::to_string(missing) + " missing, " + std::to_string(extra) + " extra.";
+}
+
+namespace {
+
+DetailRow words(std::string label, std::string cell) {
+    DetailRow row{std::move(label), {std::move(cell)}, DetailRow::Weight::normal, true, {}};
+    return row;
+}
+
+}  // namespace
+
+std::vector<DetailSection> contrast_details(const PixelTree& tree, std::size_t ray) {
+    const Contrast& contrast = *tree.contrast;
+    const RayMark mark = contrast.marks[ray];
+    DetailSection section{"Beside " + contrast.other_name, {}, {}};
+    if (mark == RayMark::none) {
+        return {};
+    }
+    if (!contrast.counterparts[ray] || !tree.is_own(ray)) {
+        section.sentences.push_back(
+            mark == RayMark::cut
+                ? "╌ This ray was there before the change; the numbers are those it had."
+                : std::string(text_of(mark).sign) + " This ray is " +
+                      std::string(text_of(mark).word) + ": only " +
+                      (tree.is_own(ray) ? contrast.shown_name : contrast.other_name) + " has it.");
+        return {section};
+    }
+    const auto found = differences_of(tree, contrast, ray);
+    if (found.empty()) {
+        section.sentences.push_back("= Nothing is different in " + number_of(tree, ray) +
+                                    " and its counterpart #" +
+                                    std::to_string(*contrast.counterparts[ray]) + ".");
+    }
+    for (const check::FieldDifference& one : found) {
+        const std::string name(check::text_of(one.field).name);
+        const auto text = [](const check::Value& value) {
+            return value.none() ? std::string("none") : check::value_text(value);
+        };
+        section.rows.push_back(words("≠ " + name, text(one.first) + "  here"));
+        section.rows.push_back(words("", text(one.second) + "  there"));
+    }
+    for (const ContrastLine& line : contrast.lines) {
+        if (line.ray == ray && contrast.what == What::file) {
+            section.sentences.push_back(std::string(text_of(line.mark).sign) + " " + line.text);
+        }
+    }
+    return {section};
+}
+
+DetailSection recorded_details(const PixelTree& tree, std::size_t ray) {
+    const check::Submission& recorded = *tree.recorded;
+    DetailSection section{"As recorded in the file", {}, {}};
+    section.rows.push_back(words("its name", recorded.ids[ray]));
+    std::string absent;
+    for (std::size_t k = 0; k < field_count; ++k) {
+        const Field field = static_cast<Field>(k);
+        const check::Value value = check::value_of(tree.tree, ray, field);
+        const std::string name(check::text_of(field).name);
+        if (recorded.gives(ray, field) && !value.none()) {
+            section.rows.push_back(words(name, check::value_text(value)));
+        } else if (!recorded.gives(ray, field) && !value.none()) {
+            absent += (absent.empty() ? "" : ", ") + name;
+        }
+    }
+    if (!absent.empty()) {
+        section.sentences.push_back("Not in the file: " + absent + ".");
+    }
+    return section;
+}
+
+}  // namespace raytree::inspector

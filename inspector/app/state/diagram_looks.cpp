@@ -1,0 +1,51 @@
+#include "state/diagram_looks.h"
+
+namespace raytree::inspector {
+namespace {
+
+/// Whether it is known by now that this ray, or this light's, is not sent.
+bool is_decided(const Playback& playback, const TreeRay<double>& ray, RayKind kind,
+                const std::string& light) {
+    for (std::size_t k = 0; k < ray.skipped.size(); ++k) {
+        if (ray.skipped[k].kind == kind && ray.skipped[k].light == light) {
+            return playback.decided(ray.id, k);
+        }
+    }
+    return playback.stage(ray.id) == Stage::evaluated;
+}
+
+bool has_happened(const Playback& playback, const DiagramBox& box) {
+    return box.absent ? is_decided(playback, *box.ray, box.branch, "")
+                      : playback.stage(box.ray->id) != Stage::unsent;
+}
+
+}  // namespace
+
+std::vector<BoxLook> box_looks(const Diagram& diagram, const PixelTree& tree,
+                               const std::optional<Playback>& playback) {
+    std::vector<BoxLook> looks;
+    looks.reserve(diagram.boxes.size());
+    for (const DiagramBox& box : diagram.boxes) {
+        BoxLook look;
+        if (playback) {
+            look.hidden = !has_happened(*playback, box);
+            look.met = box.absent || playback->stage(box.ray->id) != Stage::sent;
+            look.pending = !box.absent && playback->stage(box.ray->id) != Stage::evaluated;
+        }
+        if (!box.absent) {
+            look.mark = tree.mark(box.ray->id);
+            look.graft = !tree.is_own(box.ray->id);
+        }
+        for (const LightRow& light : box.lights) {
+            look.hidden_lights.push_back(
+                playback &&
+                (light.ray ? playback->stage(*light.ray) == Stage::unsent
+                           : !is_decided(*playback, *box.ray, RayKind::shadow, light.light)));
+            look.light_marks.push_back(light.ray ? tree.mark(*light.ray) : RayMark::none);
+        }
+        looks.push_back(std::move(look));
+    }
+    return looks;
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,40 @@
+#include "state/pixel_tree.h"
+
+#include <array>
+
+namespace raytree::inspector {
+
+const MarkText& text_of(RayMark mark) {
+    static constexpr std::array<MarkText, 7> texts = {{
+        {"", "", ""},
+        {"=", "the same", "the same in both"},
+        {"≠", "differs", "differs, and here is why"},
+        {"~", "follows", "differs because another ray does"},
+        {"−", "missing", "in the reference alone"},
+        {"+", "extra", "not in the reference"},
+        {"╌", "cut away", "was there before the change"},
+    }};
+    return texts[static_cast<std::size_t>(mark)];
+}
+
+RayTree<double> own_tree(const PixelTree& tree) {
+    RayTree<double> own = tree.tree;
+    own.rays.resize(tree.own());
+    return own;
+}
+
+std::string number_of(const PixelTree& tree, std::size_t ray) {
+    if (tree.is_own(ray) || !tree.contrast) {
+        return "#" + std::to_string(ray);
+    }
+    return "(#" + std::to_string(tree.contrast->counterparts[ray].value_or(ray)) + ")";
+}
+
+std::string mark_text(RayMark mark) {
+    if (mark == RayMark::none || mark == RayMark::same) {
+        return {};
+    }
+    return std::string(text_of(mark).sign) + " " + std::string(text_of(mark).word);
+}
+
+}  // namespace raytree::inspector

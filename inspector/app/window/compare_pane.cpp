@@ -1,0 +1,159 @@
+#include "window/compare_pane.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "state/commands.h"
+#include "state/contrast_lines.h"
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr std::size_t most_lines = 2000;
+
+QLabel* words() {
+    auto* const label = new QLabel;
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+}  // namespace
+
+ComparePane::ComparePane(State& state, QWidget* parent) : QWidget(parent), state_(state) {
+    names_ = words();
+    summary_ = words();
+    remarks_ = words();
+    legend_ = words();
+    legend_->setObjectName(QStringLiteral("aside"));
+    lines_ = new QTreeWidget;
+    lines_->setAccessibleName(QStringLiteral("Differences"));
+    lines_->setHeaderLabels({QString(), QStringLiteral("Where it begins, then what follows")});
+    lines_->setRootIsDecorated(false);
+    lines_->setWordWrap(true);
+    lines_->setTextElideMode(Qt::ElideNone);
+    lines_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    lines_->header()->setStretchLastSection(true);
+    auto* const layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(names_);
+    layout->addWidget(summary_);
+    layout->addWidget(make_buttons());
+    layout->addWidget(lines_, 1);
+    layout->addWidget(remarks_);
+    layout->addWidget(legend_);
+    connect(lines_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (item && !following_) {
+            state_.select(item->data(0, Qt::UserRole).toULongLong());
+        }
+    });
+    state_.observe([this](const Changes& changes) { obey(changes); });
+    show_lines();
+}
+
+QWidget* ComparePane::make_buttons() {
+    auto* const box = new QWidget;
+    auto* const layout = new QHBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    swap_ = new QPushButton(QStringLiteral("Show the other"));
+    end_ = new QPushButton(QStringLiteral("End"));
+    swap_->setToolTip(qt(find_command("compare.swap")->help));
+    end_->setToolTip(qt(find_command("compare.end")->help));
+    layout->addWidget(swap_);
+    layout->addWidget(end_);
+    layout->addStretch(1);
+    connect(swap_, &QPushButton::clicked, this, [this] { run_command(state_, "compare.swap"); });
+    connect(end_, &QPushButton::clicked, this, [this] { run_command(state_, "compare.end"); });
+    return box;
+}
+
+QString ComparePane::summary() const { return summary_->text(); }
+
+void ComparePane::obey(const Changes& changes) {
+    if (changes.tree || changes.look || changes.side_pane) {
+        show_lines();
+    }
+    if (changes.selection && !changes.tree) {
+        show_selection();
+    }
+}
+
+void ComparePane::show_lines() {
+    following_ = true;
+    lines_->clear();
+    const auto& tree = state_.tree();
+    const Contrast* const contrast = tree && state_.comparing() ? tree->contrast.get() : nullptr;
+    swap_->setEnabled(contrast);
+    end_->setEnabled(state_.comparing());
+    lines_->setEnabled(contrast);
+    if (!contrast) {
+        names_->setText(state_.comparing() ? QStringLiteral("This pixel is not compared.")
+                                           : QStringLiteral("Nothing is compared."));
+        summary_->setText(QStringLiteral(
+            "Compare with a recorded tree (Ctrl+D), keep this pixel's tree and choose others (A), "
+            "or change the scene and compare with before (Shift+E)."));
+        remarks_->clear();
+        legend_->clear();
+        following_ = false;
+        return;
+    }
+    names_->setText(QStringLiteral("<b>Shown: %1</b><br>beside it: %2")
+                        .arg(qt(contrast->shown_name).toHtmlEscaped(),
+                             qt(contrast->other_name).toHtmlEscaped()));
+    summary_->setText(qt(summary_of(*contrast)));
+    for (std::size_t k = 0; k < std::min(most_lines, contrast->lines.size()); ++k) {
+        const ContrastLine& line = contrast->lines[k];
+        auto* const item =
+            new QTreeWidgetItem(lines_, {qt(text_of(line.mark).sign), qt(line.text)});
+        item->setData(0, Qt::UserRole, QVariant::fromValue<qulonglong>(line.ray));
+        item->setToolTip(0, qt(text_of(line.mark).explained));
+        item->setToolTip(1, qt(line.text));
+        QFont font = lines_->font();
+        font.setBold(line.mark == RayMark::different);
+        item->setFont(1, font);
+        item->setTextAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
+    }
+    QString remarks;
+    for (const std::string& remark : contrast->remarks) {
+        remarks += (remarks.isEmpty() ? QString() : QStringLiteral("\n")) + qt(remark);
+    }
+    remarks_->setText(remarks);
+    legend_->setText(
+        QStringLiteral("≠ differs, and here is why   ~ follows from another   − missing: only in "
+                       "the reference   + extra: not in it"));
+    following_ = false;
+    fit_rows();
+    show_selection();
+}
+
+/// Each line is as high as its words need.
+void ComparePane::fit_rows() {
+    const int width = lines_->viewport()->width() - lines_->columnWidth(0) - 12;
+    for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* const item = lines_->topLevelItem(k);
+        const QRect room(0, 0, std::max(width, 60), 10'000);
+        const QRect words =
+            QFontMetrics(item->font(1)).boundingRect(room, Qt::TextWordWrap, item->text(1));
+        item->setSizeHint(1, {0, words.height() + 6});
+    }
+}
+
+void ComparePane::show_selection() {
+    following_ = true;
+    lines_->setCurrentItem(nullptr);
+    for (int k = 0; state_.selected() && k < lines_->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* const item = lines_->topLevelItem(k);
+        if (item->data(0, Qt::UserRole).toULongLong() == state_.selected()->id) {
+            lines_->setCurrentItem(item);
+            break;
+        }
+    }
+    following_ = false;
+}
+
+}  // namespace raytree::inspector

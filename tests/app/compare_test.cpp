@@ -1,0 +1,231 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "app/scenes.h"
+#include "formats/tree_json.h"
+#include "state/commands.h"
+#include "state/contrast_lines.h"
+#include "state/marked_texts.h"
+#include "state/recent.h"
+#include "tree/record.h"
+
+namespace raytree::inspector {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A tree's file that is gone when the test is over.
+struct TreeFile {
+    fs::path path = fs::temp_directory_path() / "raytree-compare-test.json";
+    TreeFile(const RayTree<double>& tree, const Scene* scene) {
+        std::ofstream(path, std::ios::binary) << write_tree_json(tree, scene);
+    }
+    explicit TreeFile(const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+    ~TreeFile() { fs::remove(path); }
+};
+
+RayTree<double> true_tree(const Scene& scene) { return record_tree(World<double>(scene), 40, 30); }
+
+std::size_t count(const State& state, RayMark mark) {
+    return static_cast<std::size_t>(std::ranges::count(state.tree()->contrast->marks, mark));
+}
+
+std::size_t first_of(const RayTree<double>& tree, RayKind kind) {
+    return std::ranges::find(tree.rays, kind, &TreeRay<double>::kind)->id;
+}
+
+TEST_CASE("app: a tree that is opened is shown as it is recorded, beside the true one") {
+    const Scene scene = test::glass_ball_scene();
+    RayTree<double> theirs = true_tree(scene);
+    const std::size_t ray = first_of(theirs, RayKind::refracted);
+    theirs.rays[ray].hit->t *= 1.5;
+    theirs.generator = "Ada's tracer";
+    const TreeFile file(theirs, &scene);
+    State state;
+    test::run_and_wait(state, "file.open", file.path.string());
+    CHECK(state.tree()->recorded);
+    CHECK(state.tree()->tree.rays[ray].hit->t == theirs.rays[ray].hit->t);
+    CHECK(state.message().find("Ada's tracer") != std::string::npos);
+    CHECK(state.message().find("as recorded") != std::string::npos);
+    CHECK(state.side_pane() == SidePane::compare);
+    CHECK(state.tree()->mark(ray) == RayMark::different);
+    CHECK(count(state, RayMark::different) == 1);
+    const auto& lines = state.tree()->contrast->lines;
+    REQUIRE_FALSE(lines.empty());
+    CHECK(lines.front().ray == ray);
+    test::run_and_wait(state, "compare.next");
+    CHECK(state.selected()->id == ray);
+    // The other of the two is the true one; the same ray stays selected.
+    test::run_and_wait(state, "compare.swap");
+    CHECK_FALSE(state.tree()->recorded);
+    CHECK(state.tree()->tree.rays[ray].hit->t == true_tree(scene).rays[ray].hit->t);
+    CHECK(state.selected()->id == ray);
+    CHECK(state.tree()->mark(ray) == RayMark::different);
+    CHECK(state.message().find("raytree has traced") != std::string::npos);
+}
+
+TEST_CASE("app: a right tree has nothing marked") {
+    const Scene scene = test::glass_ball_scene();
+    const TreeFile file(true_tree(scene), &scene);
+    State state;
+    test::run_and_wait(state, "file.open", file.path.string());
+    CHECK(count(state, RayMark::same) == state.tree()->tree.rays.size());
+    CHECK(state.tree()->contrast->lines.empty());
+    CHECK(state.message().find("same in both") != std::string::npos);
+}
+
+TEST_CASE("app: a ray that is missing in a recorded tree stands where it should be") {
+    const Scene scene = test::glass_ball_scene();
+    RayTree<double> theirs = true_tree(scene);
+    // The last ray of all was sent by no other.
+    const TreeRay<double> gone = theirs.rays.back();
+    theirs.rays.pop_back();
+    const TreeFile file(theirs, &scene);
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    const PixelTree& tree = *state.tree();
+    REQUIRE(tree.grafted == 1);
+    const std::size_t graft = tree.own();
+    CHECK(tree.mark(graft) == RayMark::missing);
+    CHECK(tree.tree.rays[graft].parent == gone.parent);
+    CHECK(tree.tree.rays[graft].kind == gone.kind);
+    CHECK(std::ranges::find(tree.children[*gone.parent], graft) !=
+          tree.children[*gone.parent].end());
+    const auto& lines = tree.contrast->lines;
+    CHECK(std::ranges::find(lines, graft, &ContrastLine::ray) != lines.end());
+    CHECK(marked_title_of(tree, graft).find("missing") != std::string::npos);
+    // Seen from the other side it is a ray like others, and still the one that is missing.
+    test::run_and_wait(state, "compare.swap");
+    CHECK(state.tree()->grafted == 0);
+    CHECK(state.tree()->mark(gone.id) == RayMark::missing);
+}
+
+TEST_CASE("app: a ray too many is extra") {
+    const Scene scene = test::glass_ball_scene();
+    Scene deeper = scene;
+    deeper.settings.max_depth = 5;
+    RayTree<double> theirs = true_tree(deeper);
+    theirs.settings = scene.settings;
+    const std::size_t more = theirs.rays.size() - true_tree(scene).rays.size();
+    REQUIRE(more > 0);
+    const TreeFile file(theirs, nullptr);
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    CHECK(state.tree()->grafted == 0);
+    CHECK(count(state, RayMark::extra) == more);
+}
+
+TEST_CASE("app: a tree of bare numbers is shown with what it gives and no more") {
+    const Scene scene = test::glass_ball_scene();
+    const TreeFile file(std::string(R"({"format": "raytree/1.0", "pixel": [40, 30],
+        "rays": [{"id": 0, "kind": "primary", "intensity": [0.5, 0.5, 0.5]}]})"));
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    REQUIRE(state.tree()->recorded);
+    const OutlineTexts texts =
+        marked_texts_of(*state.tree(), {0, std::nullopt, 0, 0}, std::nullopt);
+    CHECK(texts.met == "not given");
+    CHECK(texts.intensity.starts_with("0.500"));
+    const DetailSection section = recorded_details(*state.tree(), 0);
+    CHECK(section.sentences.front().find("Not in the file") != std::string::npos);
+}
+
+TEST_CASE("app: a tree that lies outside of the picture is refused, and nothing changes") {
+    const Scene scene = test::glass_ball_scene();
+    RayTree<double> theirs = true_tree(scene);
+    theirs.pixel_i = 500;
+    const TreeFile file(theirs, nullptr);
+    State state;
+    state.show(test::opened(scene));
+    const auto before = state.tree();
+    CHECK_THROWS_AS(run_command(state, "compare.file", file.path.string()), InputError);
+    CHECK(state.tree() == before);
+    CHECK_FALSE(state.comparing());
+}
+
+TEST_CASE("app: two pixels: another object that is met is a difference, other numbers are none") {
+    State state;
+    state.show(test::opened(test::glass_ball_scene()));
+    state.pick({40, 30});
+    test::run_and_wait(state, "compare.this_pixel");
+    CHECK(count(state, RayMark::different) == 0);
+    test::run_and_wait(state, "pixel.right");  // still on the ball
+    REQUIRE(state.tree()->contrast);
+    CHECK(state.tree()->mark(0) == RayMark::same);
+    CHECK_FALSE(contrast_details(*state.tree(), 0).front().rows.empty());  // numbers are told
+    state.pick({2, 2});                                                    // beside it
+    CHECK(state.tree()->tree.rays[0].hit.has_value() == false);
+    CHECK(state.tree()->mark(0) == RayMark::different);
+    CHECK(state.tree()->grafted > 0);
+    CHECK(state.tree()->contrast->lines.front().ray == 0);
+    test::run_and_wait(state, "compare.end");
+    CHECK_FALSE(state.tree()->contrast);
+    CHECK(state.tree()->grafted == 0);
+}
+
+TEST_CASE("app: before and after a change: it begins where the change acts") {
+    State state;
+    state.show(test::opened(test::glass_ball_scene()));
+    state.pick({40, 30});
+    CHECK_FALSE(find_command("compare.before")->possible(state));
+    test::run_and_wait(state, "change.set", "/materials/glass/kd 0.3");
+    test::run_and_wait(state, "compare.before");
+    const PixelTree& tree = *state.tree();
+    CHECK(tree.contrast->what == Contrast::What::change);
+    bool follows = false;
+    for (const ContrastLine& line : tree.contrast->lines) {
+        CHECK_FALSE((follows && line.mark != RayMark::follows));  // causes come first
+        follows |= line.mark == RayMark::follows;
+        if (line.mark == RayMark::different) {
+            const TreeRay<double>& ray = tree.tree.rays[line.ray];
+            CHECK((ray.shadow || ray.hit->material == "glass"));
+        }
+    }
+    CHECK(count(state, RayMark::different) > 0);
+}
+
+TEST_CASE("app: a chosen pixel apart from a recorded tree's is traced; back there it is again") {
+    const Scene scene = test::glass_ball_scene();
+    const TreeFile file(true_tree(scene), &scene);
+    State state;
+    test::run_and_wait(state, "file.open", file.path.string());
+    state.pick({5, 5});
+    CHECK_FALSE(state.tree()->recorded);
+    CHECK_FALSE(state.tree()->contrast);
+    test::run_and_wait(state, "pixel.back");
+    CHECK(state.tree()->recorded);
+}
+
+TEST_CASE("app: an exported tree holds the shown one's own rays alone") {
+    State state;
+    state.show(test::opened(test::glass_ball_scene()));
+    state.pick({40, 30});
+    test::run_and_wait(state, "change.set", "/settings/max_depth 2");
+    const fs::path file = fs::temp_directory_path() / "raytree-export-cut-test.json";
+    test::run_and_wait(state, "export.tree_json", file.string());
+    CHECK(read_recorded(file)->tree.rays.size() == state.tree()->own());
+    fs::remove(file);
+}
+
+TEST_CASE("app: recent files: the last first, each once, ten at most") {
+    RecentFiles recent;
+    for (int k = 0; k < 14; ++k) {
+        recent.add("file" + std::to_string(k));
+    }
+    recent.add("file9");
+    REQUIRE(recent.files().size() == RecentFiles::most);
+    CHECK(recent.files()[0] == "file9");
+    CHECK(recent.files()[1] == "file13");
+    CHECK(std::ranges::count(recent.files(), "file9") == 1);
+    CHECK(RecentFiles(recent.files()).files() == recent.files());
+    CHECK_FALSE(is_there("/no/such/file"));
+}
+
+}  // namespace
+}  // namespace raytree::inspector

@@ -1,0 +1,258 @@
+// What can be selected, filtered and copied in the real window, by clicks and keys.
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QTest>
+#include <QTreeWidget>
+#include <QUrl>
+#include <numeric>
+
+#include "app/scenes.h"
+#include "drawing/picking.h"
+#include "drawing/ray_mesh.h"
+#include "state/commands.h"
+#include "state/emphasis.h"
+#include "window/details_pane.h"
+#include "window/diagram_pane.h"
+#include "window/filter_pane.h"
+#include "window/main_window.h"
+#include "window/outline_pane.h"
+#include "window/run.h"
+#include "window/scene_pane.h"
+
+namespace raytree::inspector {
+
+class WindowSeeingTest : public QObject {
+    Q_OBJECT
+
+    State state_;
+    std::unique_ptr<MainWindow> window_;
+
+    QWidget* canvas() { return window_->scene_pane().focusProxy(); }
+
+    /// How many pixels of the 3D view are near a colour.
+    int pixels_of(Ink ink) {
+        const QImage image = window_->scene_pane().grab().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor at = image.pixelColor(x, y);
+                count += std::abs(at.red() - ink.r) < 40 && std::abs(at.green() - ink.g) < 40 &&
+                         std::abs(at.blue() - ink.b) < 40;
+            }
+        }
+        return count;
+    }
+
+    QString dock_title() { return window_->details_pane().parentWidget()->windowTitle(); }
+
+    /// A place in the 3D view where a click meets the object and no ray.
+    std::optional<QPoint> place_of_object(std::size_t object) {
+        const ScenePane& pane = window_->scene_pane();
+        for (int y = 20; y < pane.height() - 60; y += 7) {
+            for (int x = 20; x < pane.width() - 20; x += 7) {
+                const auto thing = object_at(*state_.document(), pane.view(), x, y);
+                if (thing == Thing{Thing::Kind::object, object} &&
+                    !path_at(pane.paths(), pane.view(), x, y, 20) &&
+                    !light_at(state_.document()->scene(), extent_of(*state_.document()),
+                              pane.view(), x, y, 20)) {
+                    return QPoint(x, y);
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+  private Q_SLOTS:
+    void initTestCase() {
+        window_ = std::make_unique<MainWindow>(state_);
+        window_->resize(1280, 800);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        state_.show(test::opened(test::glass_ball_scene()));
+        QTRY_VERIFY(window_->feed().done());
+        QTRY_VERIFY(window_->scene_pane().frames() > 0);
+    }
+
+    void init() {
+        QApplication::setActiveWindow(window_.get());
+        run_command(state_, "filter.clear");
+        run_command(state_, "table.first_columns");
+        run_command(state_, "tab.outline");
+        state_.pick({0, 0});
+        state_.pick({40, 30});
+        QTRY_VERIFY(state_.tree());
+        state_.select(0);
+        state_.request(Request::from_side);
+        QTest::qWait(50);
+    }
+
+    void a_click_on_an_object_selects_it_everywhere() {
+        for (std::size_t object = 0; object < 3; ++object) {
+            const auto place = place_of_object(object);
+            QVERIFY2(place, std::to_string(object).c_str());
+            QTest::mouseClick(canvas(), Qt::LeftButton, {}, *place);
+            QVERIFY((state_.thing() == Thing{Thing::Kind::object, object}));
+            QCOMPARE(dock_title(), QStringLiteral("Selected object"));
+            const QString name =
+                QString::fromStdString(state_.document()->scene().objects[object].name);
+            QVERIFY(window_->details_pane().toPlainText().contains(name));
+            QVERIFY(window_->details_pane().toPlainText().contains(QStringLiteral("Material")));
+        }
+    }
+
+    void a_selected_object_is_drawn_and_listed_in_its_colour() {
+        const Ink ink = palette_of(Theme::light).selection;
+        state_.select(1);  // a short halo
+        const int before = pixels_of(ink);
+        run_command(state_, "object.select", "ball");
+        QVERIFY2(pixels_of(ink) > before + 100, std::to_string(pixels_of(ink)).c_str());
+        const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
+        const auto marked = emphasis_of(state_).marked;
+        for (std::size_t ray = 0; ray < marked.size(); ++ray) {
+            const bool shown = model->index_of_ray(ray).data(Qt::BackgroundRole).isValid();
+            QCOMPARE(shown, bool(marked[ray]));
+        }
+    }
+
+    void a_click_on_a_light_selects_it_and_its_rays_are_links() {
+        const Extent extent = extent_of(*state_.document());
+        const Light& key = state_.document()->scene().lights[0];
+        const auto at = window_->scene_pane().place_of(place_of(key, extent));
+        QVERIFY(at);
+        QTest::mouseClick(canvas(), Qt::LeftButton, {}, at->toPoint());
+        QVERIFY((state_.thing() == Thing{Thing::Kind::light, 0}));
+        QCOMPARE(dock_title(), QStringLiteral("Selected light"));
+        const auto rays =
+            rays_that_concern(state_.document()->scene(), state_.tree()->tree, *state_.thing());
+        QVERIFY(!rays.empty());
+        Q_EMIT window_->details_pane().anchorClicked(QUrl(QStringLiteral("r:%1").arg(rays[0])));
+        QCOMPARE(state_.selected()->id, rays[0]);
+        QVERIFY(!state_.thing());
+        QCOMPARE(dock_title(), QStringLiteral("Selected ray"));
+    }
+
+    void keys_reach_objects_and_lights() {
+        canvas()->setFocus();
+        QTest::keyClick(canvas(), Qt::Key_H);
+        QVERIFY(state_.thing().has_value());
+        QTest::keyClick(canvas(), Qt::Key_L, Qt::ShiftModifier);
+        QVERIFY((state_.thing() == Thing{Thing::Kind::light, 0}));
+        QTest::keyClick(canvas(), Qt::Key_Escape, Qt::ShiftModifier);
+        QVERIFY(!state_.thing());
+    }
+
+    void a_click_on_nothing_lets_go() {
+        run_command(state_, "object.select", "ball");
+        const ScenePane& pane = window_->scene_pane();
+        for (int x = 2; x < pane.width(); ++x) {
+            if (!object_at(*state_.document(), pane.view(), x, 2) &&
+                !path_at(pane.paths(), pane.view(), x, 2, 20)) {
+                QTest::mouseClick(canvas(), Qt::LeftButton, {}, {x, 2});
+                break;
+            }
+        }
+        QVERIFY(!state_.thing());
+    }
+
+    void a_tick_in_the_filter_dims_and_hides() {
+        run_command(state_, "tab.filter");
+        FilterPane& filter = window_->filter_pane();
+        QTRY_VERIFY(filter.isVisible());
+        const Ink refracted = palette_of(Theme::light)[RayLook::refracted];
+        const int before = pixels_of(refracted);
+        const RayGroup group = group_of(RayKind::refracted);
+        for (const Qt::CheckState tick : {Qt::PartiallyChecked, Qt::Unchecked}) {
+            QVERIFY(filter.item_of(group));
+            filter.item_of(group)->setCheckState(0, tick);
+            QTRY_VERIFY(state_.look().filter.of(group) ==
+                        (tick == Qt::Unchecked ? Shown::hidden : Shown::dimmed));
+            QVERIFY(filter.item_of(group)->checkState(0) == tick);
+        }
+        const int after = pixels_of(refracted);
+        QVERIFY2(after < before / 2,  // the legend keeps its sign
+                 (std::to_string(before) + " -> " + std::to_string(after)).c_str());
+        for (const RayPath& path : window_->scene_pane().paths()) {
+            QVERIFY(path.look != RayLook::refracted);
+        }
+    }
+
+    void a_click_on_a_title_sorts_and_rows_are_copied() {
+        QHeaderView* const header = window_->outline_pane().header();
+        const int t = static_cast<int>(Column::t);
+        const QPoint place(header->sectionViewportPosition(t) + header->sectionSize(t) / 2,
+                           header->height() / 2);
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(state_.table().sorted_by == Column::t);
+        const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
+        const auto rays = sorted_rays(*state_.tree(), Column::t, false);
+        QCOMPARE(model->rowCount({}), static_cast<int>(rays.size()));
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+            const QModelIndex index = model->index(static_cast<int>(k), 0, {});
+            QCOMPARE(model->row(index).ray, rays[k]);
+            QCOMPARE(model->index_of_ray(rays[k]).row(), static_cast<int>(k));
+        }
+        window_->outline_pane().setCurrentIndex(model->index(2, 0, {}));
+        QCOMPARE(state_.selected()->id, rays[2]);
+        window_->outline_pane().setFocus();
+        QTest::keyClick(&window_->outline_pane(), Qt::Key_C, Qt::ControlModifier);
+        QCOMPARE(QApplication::clipboard()->text(),
+                 QString::fromStdString(copied(*state_.tree(), {rays[2]}, Table().columns)));
+        run_command(state_, "copy.table");
+        QCOMPARE(QApplication::clipboard()->text().count(QLatin1Char('\n')),
+                 static_cast<int>(rays.size()) + 1);
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(state_.table().descending);
+        run_command(state_, "table.as_tree");
+        QCOMPARE(model->rowCount({}), 1);
+    }
+
+    void a_number_of_the_details_is_copied_with_all_its_digits() {
+        DetailsPane& details = window_->details_pane();
+        details.setFocus();
+        QTest::keyClick(&details, Qt::Key_Tab);
+        QTest::keyClick(&details, Qt::Key_Tab);
+        run_command(state_, "copy.number");
+        bool is_number = false;
+        const double copied = QApplication::clipboard()->text().toDouble(&is_number);
+        QVERIFY2(is_number, qPrintable(QApplication::clipboard()->text()));
+        const TreeRay<double>& ray = *state_.selected();
+        bool known = false;
+        for (const auto& colour : {ray.ambient, ray.diffuse, ray.specular}) {
+            known = known || copied == colour.r || copied == colour.g || copied == colour.b;
+        }
+        QVERIFY(known);
+    }
+
+    void the_3d_view_is_drawn_at_any_size() {
+        ScenePane& pane = window_->scene_pane();
+        const View before = pane.view();
+        const QImage image = pane.image({1500, 700});
+        QCOMPARE(image.size(), QSize(1500, 700));
+        QCOMPARE(pane.view().width, before.width);
+        QVERIFY(pane.view().eye == before.eye);
+        const QColor ray = QColor(0x2B, 0x34, 0x40);
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor at = image.pixelColor(x, y);
+                count += std::abs(at.red() - ray.red()) < 40 &&
+                         std::abs(at.green() - ray.green()) < 40 &&
+                         std::abs(at.blue() - ray.blue()) < 40;
+            }
+        }
+        QVERIFY2(count > 500, std::to_string(count).c_str());
+    }
+};
+
+}  // namespace raytree::inspector
+
+int main(int argc, char** argv) {
+    raytree::inspector::prepare_qt();
+    QApplication application(argc, argv);
+    raytree::inspector::WindowSeeingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "window_seeing_test.moc"
