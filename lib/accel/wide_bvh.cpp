@@ -211,6 +211,10 @@ class WideBvhBuilder {
         return middle;
     }
 
+    /// Whether centres so far apart can be told into bins: closer ones, in a scene some 10^30 times
+    /// as large, have no float to be multiplied with.
+    static bool can_be_cut(float extent) { return extent > 1e-30F; }
+
     /// Which bin a centre falls into.
     struct Scale {
         Lanes low, factor;
@@ -218,7 +222,8 @@ class WideBvhBuilder {
         Scale(const FloatBox& centers, int count) : low(centers.min), bins(count) {
             const Lanes size = centers.max - centers.min;
             for (int axis = 0; axis < 4; ++axis) {
-                factor[axis] = size[axis] > 0 ? static_cast<float>(count) / size[axis] : 0.0F;
+                factor[axis] =
+                    can_be_cut(size[axis]) ? static_cast<float>(count) / size[axis] : 0.0F;
             }
         }
         int bin_of(const Reference& reference, int axis) const {
@@ -246,7 +251,7 @@ class WideBvhBuilder {
             }
         }
         for (int axis = 0; axis < 3; ++axis) {
-            if (centers.max[axis] > centers.min[axis]) {
+            if (can_be_cut(centers.max[axis] - centers.min[axis])) {
                 sweep(bins[static_cast<std::size_t>(axis)], axis, best);
             }
         }
@@ -256,7 +261,7 @@ class WideBvhBuilder {
     Cut cut_of_two(std::size_t begin, const FloatBox& centers) const {
         const Lanes size = centers.max - centers.min;
         const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-        if (!(size[axis] > 0)) {
+        if (!can_be_cut(size[axis])) {
             return {};
         }
         return {axis, 0,

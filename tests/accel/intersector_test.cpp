@@ -119,3 +119,18 @@ TEST_CASE("intersector: the hierarchy spares most tests") {
     }
     CHECK(count.tests < 100 * 500);
 }
+
+TEST_CASE("intersector: shapes closer together than a float's inverse, in a scene far larger") {
+    Scene scene;  // building its hierarchy ran out of its bins before
+    scene.materials.push_back({});
+    for (int k = 0; k < 20; ++k) {
+        test::add(scene, Sphere{{0, 0, 1e-40 * k}, 1e-41});
+    }
+    test::add(scene, Sphere{{1e5, 0, 0}, 1});
+    const Intersector<double> intersector(scene);
+    NoTestCount count;
+    const Ray<double> ray{{0, 0, -1}, {0, 0, 1}, 0};
+    const auto hit = intersector.closest(ray, no_primitive, {}, count);
+    REQUIRE(hit);
+    CHECK(hit->primitive == 0);
+}
