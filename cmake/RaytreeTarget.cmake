@@ -13,19 +13,28 @@ endif()
 add_library(raytree_options INTERFACE)
 target_compile_features(raytree_options INTERFACE cxx_std_20)
 target_compile_options(raytree_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
-  $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+  -ffp-contract=off $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+
+# How raytree itself is built, which is no business of those who use the library.
+add_library(raytree_build INTERFACE)
+target_compile_options(raytree_build INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # GCC 12 warns of its own std::string (bug 105329)
   $<$<BOOL:${RAYTREE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(RAYTREE_SANITIZE)
-  target_compile_options(raytree_options INTERFACE
+  target_compile_options(raytree_build INTERFACE
     -fsanitize=${RAYTREE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  target_link_options(raytree_options INTERFACE -fsanitize=${RAYTREE_SANITIZE})
+  target_link_options(raytree_build INTERFACE -fsanitize=${RAYTREE_SANITIZE})
 endif()
 if(RAYTREE_COVERAGE)
-  target_compile_options(raytree_options INTERFACE --coverage -fprofile-update=atomic)
-  target_link_options(raytree_options INTERFACE --coverage)
+  target_compile_options(raytree_build INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(raytree_build INTERFACE --coverage)
 endif()
+link_libraries($<BUILD_INTERFACE:raytree_build>)
+
+include(GNUInstallDirs)
+set_target_properties(raytree_options PROPERTIES EXPORT_NAME options)
+install(TARGETS raytree_options EXPORT raytree)
 
 # raytree_layer(NAME [DEPENDS LAYER...] [LIBRARIES TARGET...])
 # A folder of lib/ as a target of its own, raytree::NAME. It may use the layers it depends on and
@@ -42,6 +51,12 @@ function(raytree_layer name)
     set(scope INTERFACE)
   endif()
   add_library(raytree::${name} ALIAS raytree_${name})
-  target_include_directories(raytree_${name} ${scope} "${PROJECT_SOURCE_DIR}/lib")
+  target_include_directories(raytree_${name} ${scope}
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/lib>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/raytree>")
+  set_target_properties(raytree_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS raytree_${name} EXPORT raytree)
+  install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/raytree"
+    FILES_MATCHING PATTERN "*.h")
   target_link_libraries(raytree_${name} ${scope} raytree_options ${arg_DEPENDS} ${arg_LIBRARIES})
 endfunction()

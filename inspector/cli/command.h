@@ -22,5 +22,6 @@ Command info_command(CLI::App& program);
 Command check_command(CLI::App& program);
 Command assign_command(CLI::App& program);
 Command convert_command(CLI::App& program);
+Command lesson_command(CLI::App& program);
 
 }  // namespace raytree::cli

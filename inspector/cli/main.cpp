@@ -20,6 +20,7 @@ constexpr const char* examples =
     "  raytree trace scene.json --pixel 320,240 --as text   one pixel's ray tree, to read\n"
     "  raytree trace scene.json --pixel 320,240 -o t.json   the same as data\n"
     "  raytree check tree.json --scene scene.json           is someone else's tree right?\n"
+    "  raytree lesson list                                  the lessons that teach all this\n"
     "  raytree trace --help                                 all about one subcommand";
 
 int run(int argc, char** argv) {
@@ -34,7 +35,8 @@ int run(int argc, char** argv) {
     program.require_subcommand(1);
     const std::array commands = {trace_command(program),  render_command(program),
                                  info_command(program),   check_command(program),
-                                 assign_command(program), convert_command(program)};
+                                 assign_command(program), convert_command(program),
+                                 lesson_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {

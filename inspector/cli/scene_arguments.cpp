@@ -1,9 +1,9 @@
 #include "scene_arguments.h"
 
-#include <algorithm>
 #include <array>
 #include <iostream>
 
+#include "formats/utf8.h"
 #include "values.h"
 
 namespace raytree::cli {
@@ -84,12 +84,6 @@ void add_precision(CLI::App& app, Precision& precision) {
               });
 }
 
-void say(const std::string& text) {
-    std::string line = "raytree: " + text;
-    // What a file says must not steer the terminal.
-    std::ranges::replace_if(
-        line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
-    std::cerr << line + '\n';
-}
+void say(const std::string& text) { std::cerr << "raytree: " + legible(text) + '\n'; }
 
 }  // namespace raytree::cli

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "formats/utf8.h"
+
 namespace raytree {
 namespace {
 
@@ -12,33 +14,6 @@ constexpr std::size_t kColumns = 100;
 constexpr std::size_t kIndent = 2;
 /// A nested object that would begin further right than this begins on a line of its own.
 constexpr std::size_t kLatestNested = 50;
-
-/// Number of bytes of the well-formed UTF-8 character at the front of `text`; 0 if there is none.
-/// (Table 3-7 of the Unicode standard: no overlong forms, no surrogates, nothing over U+10FFFF.)
-std::size_t utf8_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) -> unsigned {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-    };
-    const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
-        return byte(i) >= low && byte(i) <= high;
-    };
-    const unsigned lead = byte(0);
-    if (lead < 0x80) {
-        return 1;
-    }
-    if (lead >= 0xC2 && lead <= 0xDF) {
-        return follows(1) ? 2 : 0;
-    }
-    if (lead >= 0xE0 && lead <= 0xEF) {
-        const bool second = follows(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF);
-        return second && follows(2) ? 3 : 0;
-    }
-    if (lead >= 0xF0 && lead <= 0xF4) {
-        const bool second = follows(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF);
-        return second && follows(2) && follows(3) ? 4 : 0;
-    }
-    return 0;
-}
 
 void append_ascii(std::string& out, char c) {
     switch (c) {

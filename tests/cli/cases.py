@@ -19,7 +19,8 @@ COMMANDS = [
     ("help of convert", "convert --help",
      0, r"(?s)^Examples:\n  raytree convert .*Usage: .*OUT", NONE),
 
-    ("no subcommand", "", 2, NONE, r"say what to do: trace, render, info, check, assign or convert"),
+    ("no subcommand", "", 2, NONE,
+     r"say what to do: trace, render, info, check, assign, convert or lesson"),
     ("misspelt subcommand", "trase scene.json", 2, NONE, r'"trase"; did you mean "trace"\?'),
     ("unknown subcommand", "dance", 2, NONE, r'no subcommand "dance"; there are trace, .*convert'),
     ("misspelt option", "trace scene.json --pixl 1,2",

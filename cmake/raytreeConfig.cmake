@@ -1,0 +1,10 @@
+# find_package(raytree) gives the target raytree::raytree.
+include(CMakeFindDependencyMacro)
+find_dependency(glm)
+find_dependency(nlohmann_json)
+find_dependency(TBB)
+find_dependency(PNG)
+find_dependency(PkgConfig)
+pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle)
+pkg_check_modules(tinyobjloader_double REQUIRED IMPORTED_TARGET tinyobjloader_double)
+include("${CMAKE_CURRENT_LIST_DIR}/raytreeTargets.cmake")

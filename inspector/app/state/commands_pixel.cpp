@@ -1,0 +1,66 @@
+#include "state/command_groups.h"
+
+namespace raytree::inspector {
+namespace {
+
+template <int di, int dj> void move_pixel(State& state, std::string_view) {
+    state.pick({state.pixel().i + di, state.pixel().j + dj}, Pick::on_the_way);
+}
+
+template <int by> void go_back(State& state, std::string_view) { state.go_back(by); }
+template <int by> bool can_go_back(const State& state) {
+    return state.history().at(by).has_value();
+}
+
+void pick(State& state, std::string_view argument) { state.pick(pixel_from(argument)); }
+
+constexpr Command table[] = {
+    {"pixel.pick", "", "Choose pixel", "", "Shows the ray tree of pixel I,J.", Argument::pixel,
+     pick, has_scene},
+    {"pixel.back", "Pixel", "Back", "Alt+Left", "Chooses the pixel that was chosen before.", none,
+     go_back<-1>, can_go_back<-1>},
+    {"pixel.forward", "Pixel", "Forward", "Alt+Right",
+     "Chooses the pixel that had been gone back from.", none, go_back<1>, can_go_back<1>},
+    {"pixel.left", "Pixel", "One to the left", "Left", "Chooses the pixel to the left.", none,
+     move_pixel<-1, 0>, has_scene},
+    {"pixel.right", "Pixel", "One to the right", "Right", "Chooses the pixel to the right.", none,
+     move_pixel<1, 0>, has_scene},
+    {"pixel.up", "Pixel", "One up", "Up", "Chooses the pixel above.", none, move_pixel<0, -1>,
+     has_scene},
+    {"pixel.down", "Pixel", "One down", "Down", "Chooses the pixel below.", none, move_pixel<0, 1>,
+     has_scene},
+    {"pixel.far_left",
+     "Pixel",
+     "Ten to the left",
+     "Shift+Left",
+     "Chooses the pixel ten to the left.",
+     none,
+     move_pixel<-10, 0>,
+     has_scene,
+     nullptr,
+     {},
+     true},
+    {"pixel.far_right", "Pixel", "Ten to the right", "Shift+Right",
+     "Chooses the pixel ten to the right.", none, move_pixel<10, 0>, has_scene},
+    {"pixel.far_up", "Pixel", "Ten up", "Shift+Up", "Chooses the pixel ten above.", none,
+     move_pixel<0, -10>, has_scene},
+    {"pixel.far_down", "Pixel", "Ten down", "Shift+Down", "Chooses the pixel ten below.", none,
+     move_pixel<0, 10>, has_scene},
+    {"pixel.fit_picture",
+     "Pixel",
+     "Whole picture",
+     "0",
+     "Shows all of the picture.",
+     none,
+     ask<Request::fit_picture>,
+     has_scene,
+     nullptr,
+     {},
+     true},
+};
+
+}  // namespace
+
+std::span<const Command> pixel_commands() { return table; }
+
+}  // namespace raytree::inspector

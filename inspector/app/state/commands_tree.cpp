@@ -1,0 +1,63 @@
+#include "state/command_groups.h"
+#include "state/diagram.h"
+
+namespace raytree::inspector {
+namespace {
+
+template <TreePane::Tab tab> void show_tab(State& state, std::string_view) {
+    state.change_tree_pane({tab, state.tree_pane().fold_below});
+}
+template <TreePane::Tab tab> bool tab_is_shown(const State& state) {
+    return state.tree_pane().tab == tab;
+}
+template <TreePane::Tab tab> bool tab_is_shown_of_tree(const State& state) {
+    return state.tree() && state.tree_pane().tab == tab;
+}
+
+using Fold = std::optional<double> (*)(const PixelTree&, double);
+template <Fold fold> void change_fold(State& state, std::string_view) {
+    const TreePane& pane = state.tree_pane();
+    state.change_tree_pane({pane.tab, *fold(*state.tree(), pane.fold_below)});
+}
+template <Fold fold> bool can_fold(const State& state) {
+    return tab_is_shown_of_tree<TreePane::Tab::diagram>(state) &&
+           fold(*state.tree(), state.tree_pane().fold_below);
+}
+
+constexpr Command table[] = {
+    {"tab.outline", "Tree", "Outline", "Alt+1", "Shows the ray tree as an outline with columns.",
+     none, show_tab<TreePane::Tab::outline>, nullptr, tab_is_shown<TreePane::Tab::outline>},
+    {"tab.diagram", "Tree", "Diagram", "Alt+2",
+     "Shows the ray tree as a drawing: each ray a box with its intensity.", none,
+     show_tab<TreePane::Tab::diagram>, nullptr, tab_is_shown<TreePane::Tab::diagram>},
+    {"tab.counts", "Tree", "Counts", "Alt+3",
+     "Shows how many rays there are, were not sent and why, and what that saved.", none,
+     show_tab<TreePane::Tab::counts>, nullptr, tab_is_shown<TreePane::Tab::counts>},
+    {"diagram.fit",
+     "Tree",
+     "Whole diagram",
+     "Shift+F",
+     "Shows all of the diagram.",
+     none,
+     ask<Request::fit_diagram>,
+     tab_is_shown_of_tree<TreePane::Tab::diagram>,
+     nullptr,
+     {},
+     true},
+    {"diagram.closer", "Tree", "Diagram larger", "+ =", "Shows the diagram larger.", none,
+     ask<Request::diagram_closer>, tab_is_shown_of_tree<TreePane::Tab::diagram>},
+    {"diagram.further", "Tree", "Diagram smaller", "-", "Shows the diagram smaller.", none,
+     ask<Request::diagram_further>, tab_is_shown_of_tree<TreePane::Tab::diagram>},
+    {"diagram.fold_more", "Tree", "Fold more", "K",
+     "Folds more of the diagram's branches that add little to the pixel.", none,
+     change_fold<fold_more>, can_fold<fold_more>},
+    {"diagram.fold_less", "Tree", "Fold less", "Shift+K",
+     "Unfolds the diagram's branches that add more to the pixel than others.", none,
+     change_fold<fold_less>, can_fold<fold_less>},
+};
+
+}  // namespace
+
+std::span<const Command> tree_commands() { return table; }
+
+}  // namespace raytree::inspector

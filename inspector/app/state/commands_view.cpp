@@ -1,0 +1,84 @@
+#include "state/command_groups.h"
+
+namespace raytree::inspector {
+namespace {
+
+template <ShapeStyle style> void draw_shapes(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.shapes = style; });
+}
+template <ShapeStyle style> bool shapes_are(const State& state) {
+    return state.look().shapes == style;
+}
+
+template <RayKind kind> void switch_kind(State& state, std::string_view) {
+    state.change_look([](Look& look) {
+        if (look.hidden.erase(kind) == 0) {
+            look.hidden.insert(kind);
+        }
+    });
+}
+template <RayKind kind> bool kind_is_shown(const State& state) {
+    return !state.look().hidden.contains(kind);
+}
+
+template <bool Look::*field> void flip(State& state, std::string_view) {
+    state.change_look([](Look& look) { look.*field = !(look.*field); });
+}
+template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
+
+void switch_theme(State& state, std::string_view) {
+    state.change_look(
+        [](Look& look) { look.theme = look.theme == Theme::light ? Theme::dark : Theme::light; });
+}
+bool is_dark(const State& state) { return state.look().theme == Theme::dark; }
+
+constexpr Command table[] = {
+    {"view.camera", "View", "Through the camera", "1",
+     "Looks through the camera, as the picture does.", none, ask<Request::through_camera>,
+     has_scene, nullptr, "Camera"},
+    {"view.side", "View", "From the side", "2",
+     "Looks from the side at the eye, the picture and the rays.", none, ask<Request::from_side>,
+     has_scene, nullptr, "Side"},
+    {"view.fit_tree", "View", "Fit the tree", "F", "Moves so that the whole tree fills the view.",
+     none, ask<Request::fit_tree>, has_tree, nullptr, "Fit tree"},
+    {"view.fit_ray", "View", "Fit the selected ray", "R",
+     "Moves so that the selected ray and its hit fill the view.", none, ask<Request::fit_ray>,
+     has_tree, nullptr, "Fit ray"},
+    {"shapes.see_through",
+     "View",
+     "See-through shapes",
+     "X",
+     "Draws shapes see-through.",
+     none,
+     draw_shapes<ShapeStyle::see_through>,
+     nullptr,
+     shapes_are<ShapeStyle::see_through>,
+     {},
+     true},
+    {"shapes.solid", "View", "Solid shapes", "Shift+X", "Draws shapes solid.", none,
+     draw_shapes<ShapeStyle::solid>, nullptr, shapes_are<ShapeStyle::solid>},
+    {"shapes.wire", "View", "Wire shapes", "W", "Draws shapes as wires.", none,
+     draw_shapes<ShapeStyle::wire>, nullptr, shapes_are<ShapeStyle::wire>},
+    {"show.shadow", "View", "Shadow rays", "S", "Shows or hides shadow rays in the 3D view.", none,
+     switch_kind<RayKind::shadow>, nullptr, kind_is_shown<RayKind::shadow>, "Shadow rays", true},
+    {"show.reflected", "View", "Reflected rays", "Shift+R",
+     "Shows or hides reflected rays in the 3D view.", none, switch_kind<RayKind::reflected>,
+     nullptr, kind_is_shown<RayKind::reflected>},
+    {"show.refracted", "View", "Refracted rays", "Shift+T",
+     "Shows or hides refracted rays in the 3D view.", none, switch_kind<RayKind::refracted>,
+     nullptr, kind_is_shown<RayKind::refracted>},
+    {"show.ghosts", "View", "Rays that were not sent", "G",
+     "Shows or hides skipped rays, with their reasons, in the outline.", none, flip<&Look::ghosts>,
+     nullptr, is_on<&Look::ghosts>, "Not sent"},
+    {"show.names", "View", "Names in the 3D view", "L",
+     "Shows or hides the names of the eye, lights and shapes in the 3D view.", none,
+     flip<&Look::names>, nullptr, is_on<&Look::names>},
+    {"look.dark", "View", "Dark theme", "T", "Changes between the light and the dark theme.", none,
+     switch_theme, nullptr, is_dark, "Dark", true},
+};
+
+}  // namespace
+
+std::span<const Command> view_commands() { return table; }
+
+}  // namespace raytree::inspector
