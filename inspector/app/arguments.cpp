@@ -27,6 +27,16 @@ std::pair<int, int> size_from(const std::string& text) {
     misuse("--size is WxH, each from 640 to 7680; found '" + text + "'");
 }
 
+int step_from(const std::string& text) {
+    int step = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, step);
+    if (read.ec != std::errc() || read.ptr != end || step < 1) {
+        misuse("--step is a whole number from 1; found '" + text + "'");
+    }
+    return step;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
@@ -48,6 +58,12 @@ void take_option(Arguments& arguments, const std::string& option, const std::str
         arguments.pixel = pixel_from(value);
     } else if (option == "--scene") {
         arguments.scene = value;
+    } else if (option == "--lesson") {
+        arguments.lesson = value;
+    } else if (option == "--lessons") {
+        arguments.lessons = value;
+    } else if (option == "--step") {
+        arguments.step = step_from(value);
     } else if (option == "--screenshot") {
         arguments.window.screenshot = value;
     } else if (option == "--script") {
@@ -91,12 +107,13 @@ Arguments parse_arguments(std::span<char* const> words) {
 
 std::string help_text() {
     return R"(Examples:
-  raytree-inspector                                       the first scene
+  raytree-inspector                                       the first lesson
+  raytree-inspector --lesson spheres --step 3             a step of a lesson
   raytree-inspector scene.json --pixel 320,240            a scene, at a pixel
   raytree-inspector tree.json --scene scene.json          a ray tree and its scene
   raytree-inspector scene.nff --screenshot picture.png    draws the window once, into a file
 
-Usage: raytree-inspector [SCENE | TREE.json] [OPTION...]
+Usage: raytree-inspector [SCENE | TREE.json | --lesson NAME] [OPTION...]
 
 Shows the ray tree of a pixel: in the picture, in 3D, as an outline, and in numbers.
 
@@ -105,6 +122,9 @@ SCENE is a .json (raytree-scene), .nff, .txt (course text) or .obj file; TREE.js
 
   --pixel I,J         column and row of the pixel, from 0 at the top left
   --scene SCENE       the scene of a tree that does not hold it
+  --lesson NAME       opens a lesson, by its name or number
+  --step K            of the lesson, from 1
+  --lessons FOLDER    where the lessons are (default: the program's own)
   --theme light|dark  the colours of the window
   --size WxH          the size of the window; 1280x800 unless said otherwise
   --script FILE       runs the commands in FILE, one to a line, such as: pixel.pick 320,240

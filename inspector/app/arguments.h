@@ -17,6 +17,9 @@ struct Arguments {
     std::optional<std::filesystem::path> file;   ///< a scene or a tree
     std::optional<std::filesystem::path> scene;  ///< of a tree that does not hold it
     std::optional<Pixel> pixel;
+    std::optional<std::string> lesson;             ///< its name or number
+    std::optional<std::filesystem::path> lessons;  ///< the folder that they are in
+    int step = 1;                                  ///< of the lesson, from 1
     Theme theme = Theme::light;
     WindowOptions window;
 };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "arguments.h"
+#include "lesson/lesson_folder.h"
 #include "state/state.h"
 
 namespace raytree::inspector {
@@ -24,7 +25,35 @@ std::unique_ptr<Display, CloseDisplay> open_display() {
     return std::unique_ptr<Display, CloseDisplay>(XOpenDisplay(nullptr));
 }
 
+/// The first lesson's name; empty where there are no lessons.
+std::string first_lesson(const std::filesystem::path& folder) {
+    try {
+        return lesson::lesson_names(folder.empty() ? lesson::own_lessons() : folder).front();
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
+void open_lesson(State& state, const std::string& name, int step) {
+    const auto& folder = state.lesson_folder();
+    const auto lesson = lesson::load_lesson(folder.empty() ? lesson::own_lessons() : folder, name);
+    if (static_cast<std::size_t>(step) > lesson->steps.size()) {
+        throw InputError("", "--step",
+                         "found " + std::to_string(step) + ", must be a whole number from 1 to " +
+                             std::to_string(lesson->steps.size()));
+    }
+    state.open_lesson(lesson, static_cast<std::size_t>(step - 1));
+}
+
 void open_first(State& state, const Arguments& arguments) {
+    state.set_lesson_folder(arguments.lessons.value_or(""));
+    const bool alone = !arguments.file && !arguments.pixel;
+    const std::string name =
+        arguments.lesson.value_or(alone ? first_lesson(state.lesson_folder()) : "");
+    if (!name.empty() || arguments.lesson) {
+        open_lesson(state, name, arguments.step);
+        return;
+    }
     Opened opened = open_file(arguments.file.value_or(RAYTREE_FIRST_SCENE), arguments.scene);
     if (arguments.pixel) {
         if (!opened.document->contains(*arguments.pixel)) {

@@ -23,5 +23,7 @@ Command check_command(CLI::App& program);
 Command assign_command(CLI::App& program);
 Command convert_command(CLI::App& program);
 Command lesson_command(CLI::App& program);
+Command study_command(CLI::App& program);
+Command bench_command(CLI::App& program);
 
 }  // namespace raytree::cli

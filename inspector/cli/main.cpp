@@ -33,10 +33,10 @@ int run(int argc, char** argv) {
     program.set_help_flag("-h,--help", "print this help");
     program.set_version_flag("--version", "raytree " RAYTREE_VERSION, "print the version");
     program.require_subcommand(1);
-    const std::array commands = {trace_command(program),  render_command(program),
-                                 info_command(program),   check_command(program),
-                                 assign_command(program), convert_command(program),
-                                 lesson_command(program)};
+    const std::array commands = {
+        trace_command(program),  render_command(program), info_command(program),
+        check_command(program),  assign_command(program), convert_command(program),
+        lesson_command(program), study_command(program),  bench_command(program)};
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& asked) {

@@ -1,23 +1,53 @@
-#include "accel/wide_bvh.h"
-
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <memory>
+#include <stdexcept>
+
+#include "accel/wide_bvh.h"
 
 namespace raytree {
 namespace {
 
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Three coordinates and one more lane, whatever it holds, in one register of any processor.
+using Lanes = float __attribute__((vector_size(16)));
+
 float round_down(double x) {
     const auto f = static_cast<float>(x);
-    return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity())
-                                      : f;
+    return static_cast<double>(f) > x ? std::nextafter(f, -infinite) : f;
 }
 
 float round_up(double x) { return -round_down(-x); }
+
+/// A box in the coordinates of the hierarchy.
+struct FloatBox {
+    Lanes min = {infinite, infinite, infinite, infinite};
+    Lanes max = {-infinite, -infinite, -infinite, -infinite};
+
+    void include(const FloatBox& box) {
+        min = box.min < min ? box.min : min;
+        max = box.max > max ? box.max : max;
+    }
+    float half_area() const {
+        const Lanes s = max - min;
+        return s[0] * s[1] + s[1] * s[2] + s[2] * s[0];
+    }
+};
+
+/// An item while the hierarchy is built; its place in the list, and its kind.
+struct Reference {
+    FloatBox box;
+    std::uint32_t item;
+    std::uint32_t kind;
+
+    Lanes twice_center() const { return box.min + box.max; }
+};
 
 }  // namespace
 
@@ -26,54 +56,123 @@ float round_up(double x) { return -round_down(-x); }
 /// descendants of largest area as children.
 class WideBvhBuilder {
   public:
-    WideBvhBuilder(WideBvh& bvh, std::span<const Box> boxes, const WideBvh::Config& config)
-        : bvh_(bvh), boxes_(boxes), config_(config), binary_(2 * boxes.size()) {}
+    WideBvhBuilder(WideBvh& bvh, std::span<const WideBvh::Item> items,
+                   const WideBvh::Config& config)
+        : bvh_(bvh),
+          config_(config),
+          count_(items.size()),
+          references_(std::make_unique_for_overwrite<Reference[]>(items.size())),
+          binary_(std::make_unique_for_overwrite<BinaryNode[]>(2 * items.size())) {
+        place_in_unit_space(items);
+    }
 
     void build() {
-        bvh_.items_.resize(boxes_.size());
-        std::iota(bvh_.items_.begin(), bvh_.items_.end(), 0U);
-        const std::uint32_t root = used_++;
-        split(root, 0, boxes_.size(), 0);
-        place_in_unit_space(binary_[root].box);
-        collapse(root);
+        split(used_++, 0, count_, 0);
+        bvh_.items_.resize(count_);
+        for (std::size_t k = 0; k < count_; ++k) {
+            bvh_.items_[k] = references_[k].item;
+        }
+        bvh_.nodes_.reserve(used_ / 8 + 1);
+        collapse(0);
     }
 
   private:
     struct BinaryNode {
-        Box box;
-        std::uint32_t first = 0;  ///< of two neighbouring children, or of the items
-        std::uint32_t items = 0;  ///< 0: not a leaf
+        FloatBox box;
+        std::uint32_t first;  ///< of two neighbouring children, or of the items
+        std::uint32_t items;  ///< 0: not a leaf
+        std::uint32_t kind;
     };
     struct Bin {
-        Box box;
-        std::size_t items = 0;
+        FloatBox box;
+        std::array<std::uint32_t, WideBvh::kinds> items{};
+        void include(const Bin& bin) {
+            box.include(bin.box);
+            for (std::size_t k = 0; k < WideBvh::kinds; ++k) {
+                items[k] += bin.items[k];
+            }
+        }
+        std::uint32_t count() const { return items[0] + items[1] + items[2] + items[3]; }
     };
+    static constexpr int max_bins = 32;
+    using Bins = std::array<Bin, max_bins>;
     struct Cut {
         int axis = -1;
         int bin = 0;
-        double cost = std::numeric_limits<double>::infinity();
+        float cost = infinite;
+    };
+    /// The items of a node: their boxes' union, that of their centres (doubled), how many there
+    /// are of each kind.
+    struct Range {
+        Bin all;
+        FloatBox centers;
     };
 
-    static constexpr int max_bins = 64;
     static constexpr int deepest_heuristic_split = 40;
-    static constexpr std::size_t parallel_items = 8192;
+    static constexpr std::size_t parallel_items = 4096;
+
+    void place_in_unit_space(std::span<const WideBvh::Item> items) {
+        Box all;
+        for (const WideBvh::Item& item : items) {
+            all.include(item.box);
+        }
+        bvh_.center_ = all.center();
+        const double extent = largest_component<double>(0.5 * all.max - 0.5 * all.min);
+        int exponent = 0;
+        std::frexp(extent, &exponent);
+        bvh_.scale_ = extent > 0 ? std::ldexp(1.0, -std::clamp(exponent, -1000, 1000)) : 1.0;
+        const Vec3<double> c = bvh_.center_;
+        const double s = bvh_.scale_;
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count_, parallel_items), [&](const auto& range) {
+                for (std::size_t k = range.begin(); k < range.end(); ++k) {
+                    const Vec3<double> low = (items[k].box.min - c) * s;
+                    const Vec3<double> high = (items[k].box.max - c) * s;
+                    Reference& reference = references_[k];
+                    reference.box.min =
+                        Lanes{round_down(low.x), round_down(low.y), round_down(low.z), 0};
+                    reference.box.max =
+                        Lanes{round_up(high.x), round_up(high.y), round_up(high.z), 0};
+                    reference.item = static_cast<std::uint32_t>(k);
+                    reference.kind = items[k].kind;
+                }
+            });
+    }
+
+    Range range_of(std::size_t begin, std::size_t end) const {
+        Range range;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Reference& reference = references_[k];
+            range.all.box.include(reference.box);
+            ++range.all.items[reference.kind];
+            const Lanes center = reference.twice_center();
+            range.centers.include({center, center});
+        }
+        return range;
+    }
 
     void split(std::uint32_t place, std::size_t begin, std::size_t end, int depth) {
         BinaryNode& node = binary_[place];
-        Box centers;
-        for (std::size_t k = begin; k < end; ++k) {
-            const Box& box = boxes_[bvh_.items_[k]];
-            node.box.include(box);
-            centers.include(box.center());
+        const Range range = range_of(begin, end);
+        node.box = range.all.box;
+        Cut cut;
+        if (depth < deepest_heuristic_split) {
+            cut = best_cut(begin, end, range.centers);
         }
-        if (end - begin <= config_.leaf_items) {
+        const std::uint32_t kind = references_[begin].kind;
+        const bool fits =
+            range.all.items[kind] == end - begin && end - begin <= config_.leaf_items[kind];
+        const float area = node.box.half_area();
+        if (fits && !(cut.cost + config_.cost_of_split * area < area)) {
             node.first = static_cast<std::uint32_t>(begin);
             node.items = static_cast<std::uint32_t>(end - begin);
+            node.kind = kind;
             return;
         }
-        const std::size_t middle = divide(begin, end, centers, depth);
+        const std::size_t middle = divide(begin, end, range, cut);
         const std::uint32_t children = used_.fetch_add(2);
         node.first = children;
+        node.items = 0;
         const auto left = [&] { split(children, begin, middle, depth + 1); };
         const auto right = [&] { split(children + 1, middle, end, depth + 1); };
         if (end - begin > parallel_items) {
@@ -84,87 +183,113 @@ class WideBvhBuilder {
         }
     }
 
-    std::size_t divide(std::size_t begin, std::size_t end, const Box& centers, int depth) {
-        const auto items = bvh_.items_.begin();
-        const auto from = items + static_cast<std::ptrdiff_t>(begin);
-        const auto to = items + static_cast<std::ptrdiff_t>(end);
-        if (depth < deepest_heuristic_split) {
-            const Cut cut = best_cut(begin, end, centers);
-            if (cut.axis >= 0) {
-                const auto middle = std::partition(from, to, [&](std::uint32_t item) {
-                    return bin_of(item, cut.axis, centers) <= cut.bin;
-                });
-                return static_cast<std::size_t>(middle - items);
-            }
+    /// Puts the items of the cut's one side before those of the other; without a cut half of them,
+    /// or those of one kind.
+    std::size_t divide(std::size_t begin, std::size_t end, const Range& range, const Cut& cut) {
+        Reference* const from = &references_[begin];
+        Reference* const to = from + (end - begin);
+        if (cut.axis >= 0) {
+            const Scale scale(range.centers, config_.bins);
+            Reference* const middle = std::partition(from, to, [&](const Reference& reference) {
+                return scale.bin_of(reference, cut.axis) <= cut.bin;
+            });
+            return static_cast<std::size_t>(middle - &references_[0]);
         }
-        const Vec3<double> size = centers.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const std::uint32_t kind = from->kind;
+        Reference* const others = std::stable_partition(
+            from, to, [&](const Reference& reference) { return reference.kind == kind; });
+        if (others != to) {
+            return static_cast<std::size_t>(others - &references_[0]);
+        }
+        const Lanes size = range.centers.max - range.centers.min;
+        const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
         const std::size_t middle = begin + (end - begin) / 2;
-        std::nth_element(from, items + static_cast<std::ptrdiff_t>(middle), to,
-                         [&](std::uint32_t a, std::uint32_t b) {
-                             const double ca = boxes_[a].center()[axis];
-                             const double cb = boxes_[b].center()[axis];
-                             return ca < cb || (ca == cb && a < b);
-                         });
+        std::nth_element(from, &references_[middle], to, [&](const auto& a, const auto& b) {
+            const float ca = a.twice_center()[axis], cb = b.twice_center()[axis];
+            return ca < cb || (ca == cb && a.item < b.item);
+        });
         return middle;
     }
 
-    int bin_of(std::uint32_t item, int axis, const Box& centers) const {
-        const double share = (boxes_[item].center()[axis] - centers.min[axis]) /
-                             (centers.max[axis] - centers.min[axis]);
-        return std::clamp(static_cast<int>(share * config_.bins), 0, config_.bins - 1);
-    }
+    /// Which bin a centre falls into.
+    struct Scale {
+        Lanes low, factor;
+        int bins;
+        Scale(const FloatBox& centers, int count) : low(centers.min), bins(count) {
+            const Lanes size = centers.max - centers.min;
+            for (int axis = 0; axis < 4; ++axis) {
+                factor[axis] = size[axis] > 0 ? static_cast<float>(count) / size[axis] : 0.0F;
+            }
+        }
+        int bin_of(const Reference& reference, int axis) const {
+            const float place = (reference.twice_center()[axis] - low[axis]) * factor[axis];
+            return std::min(static_cast<int>(place), bins - 1);
+        }
+    };
 
-    Cut best_cut(std::size_t begin, std::size_t end, const Box& centers) const {
+    Cut best_cut(std::size_t begin, std::size_t end, const FloatBox& centers) const {
         Cut best;
+        if (end - begin == 2) {
+            best = cut_of_two(begin, centers);
+            return best;
+        }
+        const Scale scale(centers, config_.bins);
+        std::array<Bins, 3> bins;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Reference& reference = references_[k];
+            for (int axis = 0; axis < 3; ++axis) {
+                Bin& bin = bins[static_cast<std::size_t>(axis)]
+                               [static_cast<std::size_t>(scale.bin_of(reference, axis))];
+                bin.box.include(reference.box);
+                ++bin.items[reference.kind];
+            }
+        }
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(centers.max[axis] > centers.min[axis])) {
-                continue;
+            if (centers.max[axis] > centers.min[axis]) {
+                sweep(bins[static_cast<std::size_t>(axis)], axis, best);
             }
-            std::array<Bin, max_bins> bins;
-            for (std::size_t k = begin; k < end; ++k) {
-                const std::uint32_t item = bvh_.items_[k];
-                Bin& bin = bins[static_cast<std::size_t>(bin_of(item, axis, centers))];
-                bin.box.include(boxes_[item]);
-                ++bin.items;
-            }
-            sweep(bins, axis, best);
         }
         return best;
     }
 
-    void sweep(const std::array<Bin, max_bins>& bins, int axis, Cut& best) const {
+    Cut cut_of_two(std::size_t begin, const FloatBox& centers) const {
+        const Lanes size = centers.max - centers.min;
+        const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+        if (!(size[axis] > 0)) {
+            return {};
+        }
+        return {axis, 0,
+                references_[begin].box.half_area() + references_[begin + 1].box.half_area()};
+    }
+
+    void sweep(const Bins& bins, int axis, Cut& best) const {
         const auto count = static_cast<std::size_t>(config_.bins);
-        std::array<double, max_bins> right_cost{};
+        std::array<float, max_bins> right_cost{};
         Bin side;
         for (std::size_t k = count - 1; k > 0; --k) {
-            side.box.include(bins[k].box);
-            side.items += bins[k].items;
+            side.include(bins[k]);
             right_cost[k] = cost(side);
         }
         side = {};
         for (std::size_t k = 0; k + 1 < count; ++k) {
-            side.box.include(bins[k].box);
-            side.items += bins[k].items;
-            const double total = cost(side) + right_cost[k + 1];
-            if (side.items > 0 && total < best.cost) {
+            side.include(bins[k]);
+            const float total = cost(side) + right_cost[k + 1];
+            if (total < best.cost) {
                 best = {axis, static_cast<int>(k), total};
             }
         }
     }
 
     /// Infinite for a side without items, so that no cut leaves one empty.
-    static double cost(const Bin& side) {
-        return side.items == 0 ? std::numeric_limits<double>::infinity()
-                               : side.box.half_area() * static_cast<double>(side.items);
-    }
-
-    void place_in_unit_space(const Box& all) {
-        bvh_.center_ = all.center();
-        const double extent = largest_component<double>(0.5 * all.max - 0.5 * all.min);
-        int exponent = 0;
-        std::frexp(extent, &exponent);
-        bvh_.scale_ = extent > 0 ? std::ldexp(1.0, -std::clamp(exponent, -1000, 1000)) : 1.0;
+    float cost(const Bin& side) const {
+        if (side.count() == 0) {
+            return infinite;
+        }
+        std::uint32_t leaves = 0;
+        for (std::size_t k = 0; k < WideBvh::kinds; ++k) {
+            leaves += (side.items[k] + config_.leaf_items[k] - 1) / config_.leaf_items[k];
+        }
+        return side.box.half_area() * static_cast<float>(leaves);
     }
 
     std::uint32_t collapse(std::uint32_t root) {
@@ -185,16 +310,17 @@ class WideBvhBuilder {
             fill_child(place, k, k < count ? &binary_[children[k]] : nullptr);
             if (k < count && binary_[children[k]].items == 0) {
                 const std::uint32_t child = collapse(children[k]);
-                bvh_.nodes_[place].child[k] = child;
+                bvh_.nodes_[place].child[k] = WideBvh::Ref::to_node(child);
             }
         }
+        order_children(bvh_.nodes_[place], count);
         return place;
     }
 
     std::size_t widest_inner(const std::array<std::uint32_t, WideBvh::width>& children,
                              std::size_t count) const {
         std::size_t widest = count;
-        double area = -1;
+        float area = -1;
         for (std::size_t k = 0; k < count; ++k) {
             const BinaryNode& node = binary_[children[k]];
             if (node.items == 0 && node.box.half_area() > area) {
@@ -208,58 +334,50 @@ class WideBvhBuilder {
     void fill_child(std::uint32_t place, std::size_t k, const BinaryNode* from) {
         WideBvh::Node& node = bvh_.nodes_[place];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const int a = static_cast<int>(axis);
-            const double c = bvh_.center_[a];
-            node.min[axis][k] = from ? round_down((from->box.min[a] - c) * bvh_.scale_)
-                                     : std::numeric_limits<float>::infinity();
-            node.max[axis][k] = from ? round_up((from->box.max[a] - c) * bvh_.scale_)
-                                     : -std::numeric_limits<float>::infinity();
+            node.min[axis][k] = from ? from->box.min[axis] : infinite;
+            node.max[axis][k] = from ? from->box.max[axis] : -infinite;
         }
-        node.child[k] = from ? from->first : 0;
-        node.item_count[k] = from ? static_cast<std::uint8_t>(from->items) : WideBvh::no_child;
+        if (from && from->items > 0) {
+            node.child[k] = WideBvh::Ref::to_leaf(from->first, from->items, from->kind);
+        }
+    }
+
+    static void order_children(WideBvh::Node& node, std::size_t count) {
+        node.order.fill(0);
+        for (unsigned octant = 0; octant < 8; ++octant) {
+            std::array<float, WideBvh::width> depth{};
+            std::array<std::uint32_t, WideBvh::width> order{};
+            for (std::size_t k = 0; k < WideBvh::width; ++k) {
+                order[k] = static_cast<std::uint32_t>(k);
+                for (std::size_t axis = 0; k < count && axis < 3; ++axis) {
+                    const float center = node.min[axis][k] + node.max[axis][k];
+                    depth[k] += (octant >> axis & 1) != 0 ? -center : center;
+                }
+            }
+            std::stable_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                             [&](auto a, auto b) { return depth[a] > depth[b]; });
+            for (std::size_t k = 0; k < WideBvh::width; ++k) {
+                node.order[k] |= order[k] << 3 * octant;
+            }
+        }
     }
 
     WideBvh& bvh_;
-    std::span<const Box> boxes_;
     WideBvh::Config config_;
-    std::vector<BinaryNode> binary_;
+    std::size_t count_;
+    std::unique_ptr<Reference[]> references_;
+    std::unique_ptr<BinaryNode[]> binary_;
     std::atomic<std::uint32_t> used_{0};
 };
 
-WideBvh::WideBvh(std::span<const Box> boxes, const Config& config) {
-    if (!boxes.empty()) {
-        WideBvhBuilder(*this, boxes, config).build();
+WideBvh::WideBvh(std::span<const Item> items, const Config& config) {
+    if (items.size() > most_items) {
+        throw std::length_error("a hierarchy holds at most " + std::to_string(most_items) +
+                                " shapes, not " + std::to_string(items.size()));
     }
-}
-
-WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& direction) const {
-    constexpr double flattest = 1e-18;
-    constexpr double float_roundoff = 0x1p-24;
-    constexpr double double_roundoff = 0x1p-53;
-    constexpr double scene_radius = 2;  // boxes lie within 1 of the centre on each axis
-
-    Vec3<double> o = (origin - center_) * scale_;
-    const double away = length(o);
-    BoxRay ray;
-    ray.scale = scale_;
-    const double skipped = away > 2 * scene_radius ? away - scene_radius : 0;
-    o = along(o, skipped, direction);
-    ray.start = skipped / scale_;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int a = static_cast<int>(axis);
-        const double slope =
-            std::copysign(std::max(std::abs(direction[a]), flattest), direction[a]);
-        ray.inverse[axis] = static_cast<float>(1 / slope);
-        const double inverse = static_cast<double>(ray.inverse[axis]);
-        // 8 float roundings for the two products, the difference and the inverse; the rest is what
-        // double has lost on the way from a far origin.
-        const double reach = std::abs(o[a]) + 1;
-        const double error =
-            std::abs(inverse) * (8 * float_roundoff * reach + 16 * double_roundoff * (away + 1));
-        ray.near_bias[axis] = static_cast<float>(inverse * o[a] + error);
-        ray.far_bias[axis] = static_cast<float>(inverse * o[a] - error);
+    if (!items.empty()) {
+        WideBvhBuilder(*this, items, config).build();
     }
-    return ray;
 }
 
 }  // namespace raytree

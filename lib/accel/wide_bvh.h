@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "accel/huge_pages.h"
 #include "geometry/box.h"
 #include "geometry/ray.h"
 
@@ -18,9 +21,53 @@ namespace raytree {
 /// constants for each axis (Ize, "Robust BVH ray traversal", JCGT 2(2), 2013).
 class WideBvh {
   public:
+    static constexpr int width = 8;
+    static constexpr std::size_t kinds = 4;
+    static constexpr std::size_t most_items = std::size_t(1) << 26;
+
     struct Config {
-        std::size_t leaf_items = 4;  ///< at most, unless boxes coincide
+        /// How many items of each kind a leaf may hold, 1 to 8; testing so many costs about as much
+        /// as testing the boxes of a node. A leaf holds items of one kind.
+        std::array<std::uint8_t, kinds> leaf_items = {4, 4, 4, 4};
         int bins = 16;               ///< of the surface-area heuristic (Wald, 2007)
+        float cost_of_split = 0.3F;  ///< in tests of a node
+    };
+
+    struct Item {
+        Box box;
+        std::uint8_t kind = 0;
+    };
+
+    /// What a child is: a node, or a leaf of up to eight items that follow each other in `items`.
+    class Ref {
+      public:
+        Ref() = default;
+        static Ref to_node(std::size_t place) { return Ref(static_cast<std::uint32_t>(place)); }
+        static Ref to_leaf(std::size_t first, std::size_t count, unsigned kind) {
+            return Ref(1U << 31 | kind << 29 | static_cast<std::uint32_t>(count - 1) << 26 |
+                       static_cast<std::uint32_t>(first));
+        }
+        static Ref of(std::uint32_t bits) { return Ref(bits); }
+
+        bool is_leaf() const { return bits_ >> 31 != 0; }
+        std::size_t node() const { return bits_; }
+        unsigned kind() const { return bits_ >> 29 & 3; }
+        std::size_t count() const { return (bits_ >> 26 & 7) + 1; }
+        std::size_t first() const { return bits_ & (most_items - 1); }
+
+      private:
+        explicit Ref(std::uint32_t bits) : bits_(bits) {}
+        std::uint32_t bits_ = 0;
+    };
+
+    struct alignas(64) Node {
+        std::array<std::array<float, width>, 3> min;
+        std::array<std::array<float, width>, 3> max;
+        std::array<Ref, width> child;
+        /// For rays of each octant of directions the order of the children, the farthest first: at
+        /// place k, three bits at 3 * octant (after the ordered traversal of Fuetterling et al.,
+        /// "Accelerated single ray tracing for wide vector units", HPG 2017).
+        std::array<std::uint32_t, width> order;
     };
 
     /// A ray in the coordinates of the boxes.
@@ -30,6 +77,7 @@ class WideBvh {
         std::array<float, 3> far_bias;   ///< and at the far planes
         double scale = 1;                ///< t here is (t in the world - start) * scale
         double start = 0;
+        Vec3<double> origin;  ///< where t here is 0
 
         /// An upper bound of the world's t in these coordinates.
         float upper(double t) const {
@@ -39,14 +87,22 @@ class WideBvh {
     };
 
     WideBvh() = default;
-    explicit WideBvh(std::span<const Box> boxes) : WideBvh(boxes, Config{}) {}
-    WideBvh(std::span<const Box> boxes, const Config& config);
+    /// Throws std::length_error for more than `most_items`.
+    WideBvh(std::span<const Item> items, const Config& config);
 
     bool empty() const { return items_.empty(); }
     std::size_t node_count() const { return nodes_.size(); }
     std::size_t bytes() const {
         return nodes_.size() * sizeof(Node) + items_.size() * sizeof(std::uint32_t);
     }
+    std::span<const Node> nodes() const { return nodes_; }
+    /// The places of the items in the list given, leaf by leaf.
+    std::span<const std::uint32_t> items() const { return items_; }
+    const Vec3<double>& center() const { return center_; }
+    /// A power of two: `(p - center()) * scale()` is within 1 of 0 for every p in the boxes.
+    double scale() const { return scale_; }
+    /// Calls `visit(ref)` for each leaf.
+    template <class Visit> void for_each_leaf(Visit&& visit) const;
 
     BoxRay prepare(const Vec3<double>& origin, const Vec3<double>& direction) const;
 
@@ -55,25 +111,15 @@ class WideBvh {
     /// world: less than before where a hit was found, negative to stop. `ray` is in the world.
     template <class Visit> void traverse(const BoxRay& ray, double t_max, Visit&& visit) const;
 
+    /// At most so many children wait to be visited at any time.
+    static constexpr std::size_t stack_size = 64 * width;
+
   private:
     friend class WideBvhBuilder;
 
-    static constexpr int width = 8;
-    static constexpr std::uint8_t inner = 0;  ///< item_count of a child that is a node
-    static constexpr std::uint8_t no_child = 255;
-    static constexpr int stack_size = 64 * width;
-
-    struct alignas(64) Node {
-        std::array<std::array<float, width>, 3> min;
-        std::array<std::array<float, width>, 3> max;
-        std::array<std::uint32_t, width> child;  ///< a node, or the first of a leaf's items
-        std::array<std::uint8_t, width> item_count;
-    };
-
     struct Pending {
         float near;
-        std::uint32_t child;
-        std::uint32_t item_count;
+        Ref child;
     };
 
     using Distances = std::array<float, width>;
@@ -82,19 +128,59 @@ class WideBvh {
     static unsigned enter_children(const Node& node, const BoxRay& ray, float t_max,
                                    Distances& near);
 
-    template <class Visit> void traverse_here(const BoxRay& ray, double t_max, Visit&& visit) const;
-    template <class Visit>
-    void traverse_with_avx2(const BoxRay& ray, double t_max, Visit&& visit) const;
-
     Vec3<double> center_{0.0};
     double scale_ = 1;
-    std::vector<Node> nodes_;
+    HugePageVector<Node> nodes_;
     std::vector<std::uint32_t> items_;
 };
 
+inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
+                                        const Vec3<double>& direction) const {
+    constexpr double flattest = 1e-18;
+    constexpr double float_roundoff = 0x1p-24;
+    constexpr double double_roundoff = 0x1p-53;
+    constexpr double scene_radius = 2;  // boxes lie within 1 of the centre on each axis
+
+    BoxRay ray;
+    ray.origin = (origin - center_) * scale_;
+    ray.scale = scale_;
+    double away = largest_component(ray.origin);
+    if (away > 2 * scene_radius) {
+        away = length(ray.origin);
+        const double skipped = away - scene_radius;
+        ray.origin = along(ray.origin, skipped, direction);
+        ray.start = skipped / scale_;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(axis);
+        const double slope =
+            std::copysign(std::max(std::abs(direction[a]), flattest), direction[a]);
+        ray.inverse[axis] = static_cast<float>(1 / slope);
+        const double inverse = static_cast<double>(ray.inverse[axis]);
+        // 8 float roundings for the two products, the difference and the inverse; the rest is what
+        // double has lost on the way from a far origin.
+        const double reach = std::abs(ray.origin[a]) + 1;
+        const double error =
+            std::abs(inverse) * (8 * float_roundoff * reach + 16 * double_roundoff * (away + 1));
+        ray.near_bias[axis] = static_cast<float>(inverse * ray.origin[a] + error);
+        ray.far_bias[axis] = static_cast<float>(inverse * ray.origin[a] - error);
+    }
+    return ray;
+}
+
+template <class Visit> void WideBvh::for_each_leaf(Visit&& visit) const {
+    for (const Node& node : nodes_) {
+        for (std::size_t k = 0; k < width; ++k) {
+            if (node.min[0][k] <= node.max[0][k] && node.child[k].is_leaf()) {
+                visit(node.child[k]);
+            }
+        }
+    }
+}
+
 // The loop over the children has a fixed length and no branch: compilers make vector code of it.
-[[gnu::always_inline]] inline unsigned WideBvh::enter_children(const Node& node, const BoxRay& ray,
-                                                               float t_max, Distances& near) {
+inline unsigned WideBvh::enter_children(const Node& node, const BoxRay& ray, float t_max,
+                                        Distances& near) {
     Distances far;
     near.fill(0);
     far.fill(t_max);
@@ -117,11 +203,13 @@ class WideBvh {
 }
 
 template <class Visit>
-[[gnu::always_inline]] inline void WideBvh::traverse_here(const BoxRay& ray, double t_max,
-                                                          Visit&& visit) const {
+void WideBvh::traverse(const BoxRay& ray, double t_max, Visit&& visit) const {
+    if (empty()) {
+        return;
+    }
     std::array<Pending, stack_size> stack;
     std::size_t top = 0;
-    stack[top++] = {0, 0, inner};
+    stack[top++] = {0, Ref::to_node(0)};
     float limit = ray.upper(t_max);
     Distances near;
     while (top > 0) {
@@ -129,9 +217,9 @@ template <class Visit>
         if (next.near > limit) {
             continue;
         }
-        if (next.item_count != inner) {
-            const double shorter = visit(
-                std::span<const std::uint32_t>(items_.data() + next.child, next.item_count), t_max);
+        if (next.child.is_leaf()) {
+            const double shorter =
+                visit(items().subspan(next.child.first(), next.child.count()), t_max);
             if (shorter < 0) {
                 return;
             }
@@ -141,7 +229,7 @@ template <class Visit>
             }
             continue;
         }
-        const Node& node = nodes_[next.child];
+        const Node& node = nodes_[next.child.node()];
         const std::size_t bottom = top;
         for (unsigned met = enter_children(node, ray, limit, near); met != 0; met &= met - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(met));
@@ -149,34 +237,9 @@ template <class Visit>
             for (; place > bottom && stack[place - 1].near < near[k]; --place) {
                 stack[place] = stack[place - 1];
             }
-            stack[place] = {near[k], node.child[k], node.item_count[k]};
+            stack[place] = {near[k], node.child[k]};
         }
     }
-}
-
-#if defined(__x86_64__) && defined(__GNUC__)
-// Vector units differ in speed alone: the same operations in the same order, none contracted.
-template <class Visit>
-[[gnu::target("avx2,fma"), gnu::flatten]] void WideBvh::traverse_with_avx2(const BoxRay& ray,
-                                                                           double t_max,
-                                                                           Visit&& visit) const {
-    traverse_here(ray, t_max, visit);
-}
-#endif
-
-template <class Visit>
-void WideBvh::traverse(const BoxRay& ray, double t_max, Visit&& visit) const {
-    if (empty()) {
-        return;
-    }
-#if defined(__x86_64__) && defined(__GNUC__)
-    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (has_avx2) {
-        traverse_with_avx2(ray, t_max, visit);
-        return;
-    }
-#endif
-    traverse_here(ray, t_max, visit);
 }
 
 }  // namespace raytree

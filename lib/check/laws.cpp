@@ -196,7 +196,7 @@ const Laws& model_laws() {
 void land(const Place& place, const Laws& laws, Step& step, PrimitiveId primitive, double t) {
     step.primitive = primitive;
     step.t = t;
-    const Primitive& shape = place.shapes.shapes()[primitive];
+    const Primitive shape = place.shapes.shapes()[primitive];
     step.material_id = static_cast<std::uint32_t>(place.scene().objects[shape.object].material);
     step.material = &place.scene().materials[step.material_id];
     step.ready = &place.materials[step.material_id];

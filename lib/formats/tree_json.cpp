@@ -117,7 +117,62 @@ template <class T> void write_carrying_ray(JsonWriter& json, const TreeRay<T>& r
     write_skipped(json, ray.skipped);
 }
 
-template <class T> void write_ray(JsonWriter& json, const TreeRay<T>& ray) {
+template <class T> void write_hit_bounds(JsonWriter& json, const TreeHit<T>& hit,
+                                         const HitBounds& bounds) {
+    json.key("hit").begin_object();
+    json.member("t", bounds.t);
+    json.member("point", bounds.point);
+    json.member("normal", bounds.normal);
+    json.member("cos_incident", bounds.cos_incident);
+    if (hit.interface) {
+        json.member("sin2_transmitted", bounds.sin2_transmitted);
+    }
+    json.end_object();
+}
+
+/// A bound for each number of the ray, under the number's own name.
+template <class T>
+void write_bounds(JsonWriter& json, const TreeRay<T>& ray, const RayBounds& bounds) {
+    json.key("error_bounds").begin_object();
+    json.member("origin", bounds.origin);
+    json.member("direction", bounds.direction);
+    if (ray.shadow) {
+        if (ray.shadow->distance) {
+            json.member("distance", bounds.distance);
+        }
+        if (ray.shadow->blocked_by) {
+            json.key("blocked_by").begin_object();
+            json.member("t", bounds.hit.t);
+            json.end_object();
+        }
+        json.member("transmittance", bounds.transmittance);
+    } else {
+        json.member("weight", bounds.weight);
+        json.member("attenuation", bounds.attenuation);
+    }
+    if (ray.hit) {
+        write_hit_bounds(json, *ray.hit, bounds.hit);
+        json.member("ambient", bounds.ambient);
+    }
+    if (ray.hit || ray.shadow) {
+        json.member("diffuse", bounds.diffuse);
+        json.member("specular", bounds.specular);
+    }
+    if (!ray.shadow) {
+        json.member("intensity", bounds.intensity);
+    }
+    json.end_object();
+    if (!bounds.doubts.empty()) {
+        json.key("undecided").begin_array();
+        for (const Doubt& doubt : bounds.doubts) {
+            json.value(doubt.text);
+        }
+        json.end_array();
+    }
+}
+
+template <class T>
+void write_ray(JsonWriter& json, const TreeRay<T>& ray, const RayBounds* bounds) {
     json.begin_object();
     write_place(json, ray);
     if (ray.shadow) {
@@ -125,12 +180,16 @@ template <class T> void write_ray(JsonWriter& json, const TreeRay<T>& ray) {
     } else {
         write_carrying_ray(json, ray);
     }
+    if (bounds) {
+        write_bounds(json, ray, *bounds);
+    }
     json.end_object();
 }
 
 }  // namespace
 
-template <class T> std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded) {
+template <class T> std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded,
+                                               const std::vector<RayBounds>* bounds) {
     JsonWriter json;
     json.begin_object(Layout::block);
     json.member("format", "raytree/1.0");
@@ -145,15 +204,24 @@ template <class T> std::string write_tree_json(const RayTree<T>& tree, const Sce
     write_counts(json, tree.counts);
     json.key("rays").begin_array(Layout::block);
     for (const TreeRay<T>& ray : tree.rays) {
-        write_ray(json, ray);
+        write_ray(json, ray, bounds ? &(*bounds)[ray.id] : nullptr);
     }
     json.end_array();
     json.end_object();
     return json.take();
 }
 
-template std::string write_tree_json(const RayTree<float>&, const Scene*);
-template std::string write_tree_json(const RayTree<double>&, const Scene*);
-template std::string write_tree_json(const RayTree<Quad>&, const Scene*);
+std::string write_ray_json(const TreeRay<double>& ray) {
+    JsonWriter json;
+    write_ray(json, ray, nullptr);
+    return json.take();
+}
+
+template std::string write_tree_json(const RayTree<float>&, const Scene*,
+                                     const std::vector<RayBounds>*);
+template std::string write_tree_json(const RayTree<double>&, const Scene*,
+                                     const std::vector<RayBounds>*);
+template std::string write_tree_json(const RayTree<Quad>&, const Scene*,
+                                     const std::vector<RayBounds>*);
 
 }  // namespace raytree

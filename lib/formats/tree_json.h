@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "tree/error_bounds.h"
 #include "tree/given.h"
 #include "tree/ray_tree.h"
 
@@ -13,13 +14,15 @@
 namespace raytree {
 
 /// The tree as a raytree/1.0 document, with the whole of `embedded` under `scene.document` where it
-/// is given. `T` is float, double or Quad; every number of the tree is finite.
+/// is given. `T` is float, double or Quad; every number of the tree is finite. With the bounds of its
+/// errors, by ray, each ray has `error_bounds` besides (a bound for each of its numbers, of the same
+/// name; of a vector one for all components) and, where it could have gone either way, `undecided`.
 template <class T>
-std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded = nullptr);
+std::string write_tree_json(const RayTree<T>& tree, const Scene* embedded = nullptr,
+                            const std::vector<RayBounds>* bounds = nullptr);
 
-extern template std::string write_tree_json(const RayTree<float>&, const Scene*);
-extern template std::string write_tree_json(const RayTree<double>&, const Scene*);
-extern template std::string write_tree_json(const RayTree<Quad>&, const Scene*);
+/// One ray as it stands in a raytree/1.0 document, with a line feed at its end.
+std::string write_ray_json(const TreeRay<double>& ray);
 
 /// A ray tree as a file gave it, which may be from someone else's tracer.
 struct ReadTree {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "geometry/ray.h"
 #include "scene/affine.h"
 
@@ -10,6 +13,9 @@ template <class T> class AffineMap {
   public:
     /// `matrix` must be invertible; its inverse is that of the doubles given, computed in T.
     explicit AffineMap(const Affine& matrix);
+
+    /// Whether every factor, there and back, is in the range of the arithmetic.
+    bool in_range() const;
 
     Vec3<T> point_to_world(const Vec3<T>& p) const;
     /// By the inverse transpose, made unit.
@@ -24,19 +30,38 @@ template <class T> class AffineMap {
 };
 
 template <class T> AffineMap<T>::AffineMap(const Affine& m) {
-    std::array<Vec3<T>, 3> columns;
+    std::array<Vec3<T>, 3> columns;  // each scaled by a power of two: products stay in range
+    std::array<T, 3> scales;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double size = std::max({std::abs(m[0][k]), std::abs(m[1][k]), std::abs(m[2][k])});
+        scales[k] = static_cast<T>(std::ldexp(1.0, -std::ilogb(size)));
+    }
     for (int i = 0; i < 3; ++i) {
         const auto k = static_cast<std::size_t>(i);
         rows_[k] = vector_cast<T>(Vec3<double>(m[k][0], m[k][1], m[k][2]));
         translation_[i] = static_cast<T>(m[k][3]);
         for (int j = 0; j < 3; ++j) {
-            columns[k][j] = static_cast<T>(m[static_cast<std::size_t>(j)][k]);
+            columns[k][j] = static_cast<T>(m[static_cast<std::size_t>(j)][k]) * scales[k];
         }
     }
     const T determinant = inner(columns[0], outer(columns[1], columns[2]));
     for (std::size_t k = 0; k < 3; ++k) {
-        inverse_rows_[k] = outer(columns[(k + 1) % 3], columns[(k + 2) % 3]) / determinant;
+        inverse_rows_[k] =
+            outer(columns[(k + 1) % 3], columns[(k + 2) % 3]) * (scales[k] / determinant);
     }
+}
+
+template <class T> bool AffineMap<T>::in_range() const {
+    T largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        largest = max_of(largest, largest_component(rows_[k]));
+        largest = max_of(largest, largest_component(inverse_rows_[k]));
+        if (!isfinite(inner(rows_[k], inverse_rows_[k]))) {
+            return false;
+        }
+    }
+    return largest <= Real<T>::largest_factor &&
+           largest_component(translation_) <= Real<T>::largest_length;
 }
 
 template <class T> Vec3<T> AffineMap<T>::point_to_world(const Vec3<T>& p) const {
@@ -52,6 +77,7 @@ template <class T> UnitVec3<T> AffineMap<T>::normal_to_world(const UnitVec3<T>& 
 template <class T> Ray<T> AffineMap<T>::ray_to_own_space(const Ray<T>& ray) const {
     const Vec3<T> o = ray.origin - translation_;
     Ray<T> own;
+    own.going = ray.going;
     const T reach = largest_component(o) + largest_component(translation_);
     for (int i = 0; i < 3; ++i) {
         const Vec3<T>& row = inverse_rows_[static_cast<std::size_t>(i)];

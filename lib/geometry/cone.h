@@ -65,18 +65,27 @@ template <class T> bool on_surface(const ConeShape<T>& cone, const Vec3<T>& from
 
 /// The intersections with the lateral surface, its two ends included. The origin is first moved
 /// near the shape, as for a sphere; the roots are found without cancellation (q = b + sign(b)
-/// sqrt(b^2 - a c), c / q and q / a: Press et al., Numerical Recipes, eq. 5.6.4).
+/// sqrt(b^2 - a c), c / q and q / a: Press et al., Numerical Recipes, eq. 5.6.4). From a start on
+/// the surface the other root is -2 b / a; there is none for a ray that goes outwards, and b < 0
+/// for one that goes inwards, whatever rounding has made of it.
 template <class T> Roots<T> intersect(const ConeShape<T>& cone, const Ray<T>& ray, Start start) {
     const Vec3<T> f = ray.origin - cone.base;
     const Vec3<T>& d = ray.direction;
     Roots<T> roots;
-    if (start == Start::on_another_shape &&
-        on_surface(cone, f, 4 * (ray.origin_error + cone.error))) {
+    Going going = Going::unknown;
+    if (start == Start::on_this_shape) {
+        going = ray.going;
+    } else if (start == Start::on_another_shape &&
+               on_surface(cone, f, 4 * (ray.origin_error + cone.error))) {
         start = Start::on_this_shape;
+    }
+    if (going == Going::outwards) {
+        return roots;
     }
     if (start == Start::on_this_shape) {
         const ConeQuadratic<T> q = quadratic(cone, f, d);
-        const T t = -2 * q.b / q.a;
+        const T b = going == Going::inwards ? -abs(q.b) : q.b;
+        const T t = -2 * b / q.a;
         const T z = fma(t, q.dz, q.z);
         if (z >= 0 && z <= cone.height) {
             roots.add(t);

@@ -38,14 +38,17 @@ template <class T> Plane<T> supporting_plane(std::span<const Vec3<T>> vertices) 
 
 /// Where the ray meets the plane: t > 0, or a number that is not (0, negative, infinite) where it
 /// does not. From a hit point on another shape that lies in the plane within the error bound, it
-/// does not: that would be t = 0.
-template <class T> T meet(const Plane<T>& plane, const Ray<T>& ray, Start start) {
+/// does not: that would be t = 0. `nearest` and `farthest` are the t at which the ray passes the
+/// first and the last vertex of a shape that it is known to meet, and keep a plane seen edge-on
+/// from giving anything else.
+template <class T>
+T meet(const Plane<T>& plane, const Ray<T>& ray, Start start, T nearest, T farthest) {
     const T distance = inner(plane.normal, plane.point - ray.origin);
     if (start != Start::anywhere && abs(distance) <= plane.error + 4 * ray.origin_error) {
         return 0;
     }
     const T speed = inner(plane.normal, ray.direction);
-    return speed == 0 ? T(0) : distance / speed;
+    return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
 /// The foot of the perpendicular from `origin + t direction` on the plane.

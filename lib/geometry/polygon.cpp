@@ -29,6 +29,7 @@ PolygonShape<T> make_polygon(std::span<const Vec3<T>> vertices, std::span<const 
     polygon.plane = supporting_plane(vertices);
     polygon.axes = kept_axes(polygon.plane.normal.vec());
     for (const Vec3<T>& vertex : vertices) {
+        polygon.vertices.push_back(vertex);
         polygon.outline.push_back({vertex[polygon.axes.u], vertex[polygon.axes.v]});
     }
     for (const Vec3<T>& normal : normals) {

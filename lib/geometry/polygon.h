@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/plane.h"
+#include "geometry/ray_frame.h"
 
 namespace raytree {
 
@@ -15,7 +16,8 @@ template <class T> struct PolygonShape {
 
     Plane<T> plane;
     KeptAxes axes;
-    std::vector<Flat> outline;
+    std::vector<Vec3<T>> vertices;
+    std::vector<Flat> outline;     ///< the vertices in the axes kept
     std::vector<Vec3<T>> normals;  ///< unit, one for each vertex, or none
 };
 
@@ -23,21 +25,44 @@ template <class T> struct PolygonShape {
 template <class T>
 PolygonShape<T> make_polygon(std::span<const Vec3<T>> vertices, std::span<const Vec3<T>> normals);
 
-/// Whether the point lies inside by the crossing (even-odd) rule. An edge is always evaluated from
-/// its lower end to its upper, so that two polygons that share it agree on which side the point is.
-template <class T> bool inside(const PolygonShape<T>& polygon, T u, T v) {
+/// The axes of the ray's frame in the order in which a polygon is scanned: ties, rays through an
+/// edge or a vertex, then fall as the model's rule has them on the axes kept wherever the frame has
+/// these.
+template <class T> struct ScanAxes {
+    bool along_y;   ///< scan lines are those of constant y in the frame, else of constant x
+    bool mirrored;  ///< whether the other axis is taken the other way round
+
+    ScanAxes(const RayFrame<T>& frame, const KeptAxes& kept) {
+        const int scanned = kept.v != frame.z ? kept.v : kept.u;
+        along_y = scanned == frame.y;
+        mirrored = kept.u == frame.z && (along_y ? frame.shear_x : frame.shear_y) > 0;
+    }
+};
+
+/// Whether the ray's line passes through the polygon by the crossing (even-odd) rule, in the frame
+/// of the ray. Watertight: the vertices have their places there whatever polygon they belong to, an
+/// edge is always evaluated from its lower end to its upper, and the sign of its function is exact
+/// (difference_of_products), so that of two polygons which share an edge exactly one is met.
+template <class T>
+bool passes_through(const PolygonShape<T>& polygon, const Ray<T>& ray, const RayFrame<T>& frame) {
+    const ScanAxes<T> axes(frame, polygon.axes);
+    const auto place = [&](const Vec3<T>& vertex) -> typename PolygonShape<T>::Flat {
+        const Vec3<T> v = vertex - ray.origin;
+        const T x = frame.x_of(v);
+        const T y = frame.y_of(v);
+        const T u = axes.along_y ? x : y;
+        return {axes.mirrored ? -u : u, axes.along_y ? y : x};
+    };
     bool odd = false;
-    const auto& outline = polygon.outline;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        if ((outline[i].v > v) == (outline[j].v > v)) {
-            continue;
+    auto last = place(polygon.vertices.back());
+    for (const Vec3<T>& vertex : polygon.vertices) {
+        const auto next = place(vertex);
+        if ((next.v > 0) != (last.v > 0)) {
+            const auto& low = next.v > 0 ? last : next;
+            const auto& high = next.v > 0 ? next : last;
+            odd = odd != (difference_of_products(low.u, high.v, high.u, low.v) > 0);
         }
-        const bool upwards = outline[i].v > outline[j].v;
-        const auto& low = upwards ? outline[j] : outline[i];
-        const auto& high = upwards ? outline[i] : outline[j];
-        const T left_of =
-            difference_of_products(high.u - low.u, v - low.v, u - low.u, high.v - low.v);
-        odd = odd != (left_of > 0);
+        last = next;
     }
     return odd;
 }
@@ -48,14 +73,11 @@ Roots<T> intersect(const PolygonShape<T>& polygon, const Ray<T>& ray, Start star
     if (start == Start::on_this_shape) {
         return roots;
     }
-    const T t = meet(polygon.plane, ray, start);
-    if (!(t > 0) || !isfinite(t)) {
-        return roots;
-    }
-    const auto [u, v] = polygon.axes;
-    if (inside(polygon, fma(t, ray.direction[u], ray.origin[u]),
-               fma(t, ray.direction[v], ray.origin[v]))) {
-        roots.add(t);
+    const RayFrame<T> frame(ray.direction);
+    if (passes_through(polygon, ray, frame)) {
+        const auto [nearest, farthest] =
+            passage(std::span<const Vec3<T>>(polygon.vertices), ray, frame);
+        roots.add(meet(polygon.plane, ray, start, nearest, farthest));
     }
     return roots;
 }

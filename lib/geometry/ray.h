@@ -12,12 +12,18 @@ namespace raytree {
 using PrimitiveId = std::uint32_t;
 inline constexpr PrimitiveId no_primitive = 0xffff'ffff;
 
+/// To which side of the surface that it starts on a ray goes, where whoever sends it knows: a
+/// reflected ray to the side it came from, a refracted one to the other. At grazing angles the
+/// numbers do not tell.
+enum class Going { unknown, outwards, inwards };
+
 /// A half line `origin + t direction`, t > 0. In the world the direction is a unit vector and t a
 /// distance; in the own space of a transformed shape t is still the distance in the world.
 template <class T> struct Ray {
     Vec3<T> origin{};
     Vec3<T> direction{};
     T origin_error = 0;  ///< how far rounding may have moved the origin, in the space's own unit
+    Going going = Going::unknown;
 };
 
 /// What is known of a ray's start. It decides whether an intersection near t = 0 is one.

@@ -12,14 +12,46 @@ Vec3<double> to_double(const Vec3<float>& v) { return vector_cast<double>(v); }
 Vec3<double> to_double(const Vec3<double>& v) { return v; }
 Vec3<double> to_double(const Vec3<Quad>& v) { return vector_cast<double>(v); }
 
-/// The scene's number in the arithmetic T, which may have too short a range for it.
-template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
-    const Vec3<T> result = vector_cast<T>(v);
-    if (!isfinite(result.x) || !isfinite(result.y) || !isfinite(result.z)) {
-        throw InputError("", "object '" + object + "'",
-                         "a coordinate is too large for this precision");
+[[noreturn]] void refuse(const std::string& object, const std::string& why) {
+    throw InputError("", "object '" + object + "'", why + " for this precision");
+}
+
+/// The scene's length in the arithmetic T, which may have too short a range for it.
+template <class T> T narrow(double length, const std::string& object) {
+    const T result = static_cast<T>(length);
+    if (!(abs(result) <= Real<T>::largest_length)) {
+        refuse(object, "a coordinate or a radius is too large");
     }
     return result;
+}
+
+template <class T> Vec3<T> narrow(const Vec3<double>& v, const std::string& object) {
+    return {narrow<T>(v.x, object), narrow<T>(v.y, object), narrow<T>(v.z, object)};
+}
+
+/// Refuses a shape of which nothing is left but 0 once lengths are multiplied with each other.
+template <class T> void expect_size(T size, const std::string& object) {
+    if (!(size * Real<T>::largest_length >= 1)) {
+        refuse(object, "it is too small");
+    }
+}
+
+template <class T> T extent_of(const std::vector<Vec3<T>>& vertices) {
+    T extent = 0;
+    for (const Vec3<T>& vertex : vertices) {
+        extent = max_of(extent, largest_component<T>(vertex - vertices[0]));
+    }
+    return extent;
+}
+
+/// Powers of a cone's slope meet squares of its lengths in the discriminant.
+template <class T> void expect_in_range(const ConeShape<T>& cone, const std::string& object) {
+    expect_size(cone.height, object);
+    const T steep = 1 + cone.slope * cone.slope;
+    const T extent = largest_component(cone.base) + cone.height + cone.base_radius;
+    if (!isfinite(steep * steep * extent * extent)) {
+        refuse(object, "its sides are too flat or its lengths too large");
+    }
 }
 
 template <class T>
@@ -28,6 +60,24 @@ std::vector<Vec3<T>> narrow_all(const std::vector<Point>& points, const std::str
     result.reserve(points.size());
     for (const Point& p : points) {
         result.push_back(narrow<T>(p, object));
+    }
+    return result;
+}
+
+/// A vector of which only the direction counts, with lengths near 1, so that any arithmetic has the
+/// range for it.
+template <class T> Vec3<T> near_one(const Point& v) {
+    const double largest = largest_component(v);
+    const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+    return vector_cast<T>(
+        Point(std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)));
+}
+
+template <class T> std::vector<Vec3<T>> narrow_directions(const std::vector<Point>& directions) {
+    std::vector<Vec3<T>> result;
+    result.reserve(directions.size());
+    for (const Point& v : directions) {
+        result.push_back(near_one<T>(v));
     }
     return result;
 }
@@ -78,52 +128,78 @@ std::string primitive_name(const Scene& scene, const Primitive& primitive) {
 
 template <class T> ShapeSet<T>::ShapeSet(const Scene& scene) {
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        const std::size_t first = size();
         add(scene.objects[k], static_cast<std::uint32_t>(k));
+        for (std::size_t id = first; scene.objects[k].transform && id < size(); ++id) {
+            const Box box = bounds(static_cast<PrimitiveId>(id));
+            if (!(max_of(largest_component(box.min), largest_component(box.max)) <=
+                  static_cast<double>(Real<T>::largest_length))) {
+                refuse(scene.objects[k].name, "its transform takes it too far away");
+            }
+        }
     }
 }
 
 template <class T> void ShapeSet<T>::add(const Object& object, std::uint32_t place) {
-    Primitive primitive;
-    primitive.object = place;
+    Part part;
+    part.first = static_cast<PrimitiveId>(size());
     if (object.transform) {
-        primitive.transform = static_cast<std::int32_t>(transforms_.size());
+        part.transform = static_cast<std::int32_t>(transforms_.size());
         transforms_.emplace_back(*object.transform);
+        if (!transforms_.back().in_range()) {
+            refuse(object.name, "its transform has factors too large or too small");
+        }
     }
+    std::size_t count = 1;
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
-        primitive.kind = ShapeKind::sphere;
-        primitive.shape = static_cast<std::uint32_t>(spheres_.size());
+        part.kind = ShapeKind::sphere;
+        part.shape = static_cast<std::uint32_t>(spheres_.size());
         spheres_.push_back(
-            {narrow<T>(sphere->center, object.name), static_cast<T>(sphere->radius)});
-        primitives_.push_back(primitive);
+            {narrow<T>(sphere->center, object.name), narrow<T>(sphere->radius, object.name)});
+        expect_size(spheres_.back().radius, object.name);
     } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
-        primitive.kind = ShapeKind::cone;
-        primitive.shape = static_cast<std::uint32_t>(cones_.size());
-        cones_.push_back(
-            make_cone<T>(narrow<T>(cone->base, object.name), static_cast<T>(cone->base_radius),
-                         narrow<T>(cone->apex, object.name), static_cast<T>(cone->apex_radius)));
-        primitives_.push_back(primitive);
+        part.kind = ShapeKind::cone;
+        part.shape = static_cast<std::uint32_t>(cones_.size());
+        cones_.push_back(make_cone<T>(
+            narrow<T>(cone->base, object.name), narrow<T>(cone->base_radius, object.name),
+            narrow<T>(cone->apex, object.name), narrow<T>(cone->apex_radius, object.name)));
+        expect_size(max_of(static_cast<T>(cone->base_radius), static_cast<T>(cone->apex_radius)),
+                    object.name);
+        expect_in_range(cones_.back(), object.name);
     } else if (const auto* polygon = std::get_if<Polygon>(&object.shape)) {
-        add_polygon(*polygon, primitive);
+        add_polygon(*polygon, object.name, part);
     } else {
-        add_mesh(std::get<Mesh>(object.shape), primitive);
+        const Mesh& mesh = std::get<Mesh>(object.shape);
+        add_mesh(mesh, part);
+        count = mesh.triangles.size();
     }
+    parts_.push_back(part);
+    object_of_.resize(size() + count, place);
 }
 
-template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primitive primitive) {
-    const auto vertices = narrow_all<T>(polygon.vertices, "polygon");
-    auto normals = narrow_all<T>(polygon.normals, "polygon");
+template <class T>
+void ShapeSet<T>::add_polygon(const Polygon& polygon, const std::string& name, Part& part) {
+    const auto vertices = narrow_all<T>(polygon.vertices, name);
+    const auto normals = narrow_directions<T>(polygon.normals);
+    expect_size(extent_of(vertices), name);
+    if (!isfinite(
+            largest_component(supporting_plane(std::span<const Vec3<T>>(vertices)).normal.vec()))) {
+        refuse(name, "it is too narrow");
+    }
     if (vertices.size() == 3) {
-        for (Vec3<T>& normal : normals) {
-            normal = UnitVec3<T>::of(normal);
+        part.kind = ShapeKind::triangle;
+        part.shape = static_cast<std::uint32_t>(triangles_.size());
+        triangles_.push_back({{vertices[0], vertices[1], vertices[2]}});
+        auto& of_vertices = vertex_normals_.emplace_back();
+        if (!normals.empty()) {
+            of_vertices = {UnitVec3<T>::of(normals[0]), UnitVec3<T>::of(normals[1]),
+                           UnitVec3<T>::of(normals[2])};
         }
-        add_triangle({vertices[0], vertices[1], vertices[2]},
-                     normals.empty() ? nullptr : normals.data(), primitive);
         return;
     }
-    primitive.kind = ShapeKind::polygon;
-    primitive.shape = static_cast<std::uint32_t>(polygons_.size());
+    part.kind = ShapeKind::polygon;
+    part.shape = static_cast<std::uint32_t>(polygons_.size());
     polygons_.push_back(make_polygon<T>(vertices, normals));
-    primitives_.push_back(primitive);
 
     // The plane goes through the mean of the vertices: a hit may be as far off their box as the
     // farthest vertex is off the plane, times at most sqrt(3) along the dropped axis.
@@ -139,46 +215,48 @@ template <class T> void ShapeSet<T>::add_polygon(const Polygon& polygon, Primiti
     polygon_boxes_.push_back(box);
 }
 
-template <class T> void ShapeSet<T>::add_mesh(const Mesh& mesh, Primitive primitive) {
-    std::vector<Vec3<T>> normals = narrow_all<T>(mesh.normals, mesh.file);
-    for (Vec3<T>& normal : normals) {
-        normal = UnitVec3<T>::of(normal);
+template <class T> void ShapeSet<T>::add_mesh(const Mesh& mesh, Part& part) {
+    for (const Point& vertex : mesh.vertices) {
+        narrow<T>(vertex, mesh.file);
     }
-    primitives_.reserve(primitives_.size() + mesh.triangles.size());
-    triangles_.reserve(triangles_.size() + mesh.triangles.size());
-    for (const Mesh::Triangle& corners : mesh.triangles) {
-        ++primitive.part;
-        std::array<Vec3<T>, 3> vertices;
-        std::array<Vec3<T>, 3> corner_normals;
-        bool smooth = mesh.smooth;
-        for (std::size_t k = 0; k < 3; ++k) {
-            vertices[k] =
-                narrow<T>(mesh.vertices[static_cast<std::size_t>(corners[k].vertex)], mesh.file);
-            smooth = smooth && corners[k].normal >= 0;
-            if (smooth) {
-                corner_normals[k] = normals[static_cast<std::size_t>(corners[k].normal)];
-            }
-        }
-        add_triangle(vertices, smooth ? corner_normals.data() : nullptr, primitive);
-    }
+    part.kind = ShapeKind::triangle;
+    part.shape = 0;
+    part.mesh = &mesh;
 }
 
-template <class T> void ShapeSet<T>::add_triangle(const std::array<Vec3<T>, 3>& vertices,
-                                                  const Vec3<T>* normals,
-                                                  const Primitive& primitive) {
-    primitives_.push_back(primitive);
-    primitives_.back().kind = ShapeKind::triangle;
-    primitives_.back().shape = static_cast<std::uint32_t>(triangles_.size());
-    triangles_.push_back(make_triangle<T>(vertices));
-    if (normals) {
-        triangles_.back().normals = static_cast<std::int32_t>(vertex_normals_.size());
-        vertex_normals_.push_back({normals[0], normals[1], normals[2]});
+template <class T>
+bool ShapeSet<T>::normals_of(const Primitive& triangle, VertexNormals<T>& normals) const {
+    const Mesh* const mesh = parts_[triangle.object].mesh;
+    if (!mesh) {
+        const auto& given = vertex_normals_[triangle.shape];
+        normals = given.value_or(normals);
+        return given.has_value();
     }
+    if (!mesh->smooth) {
+        return false;
+    }
+    const Mesh::Triangle& corners = mesh->triangles[static_cast<std::size_t>(triangle.part)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (corners[k].normal < 0) {
+            return false;
+        }
+        normals[k] = UnitVec3<T>::of(
+            near_one<T>(mesh->normals[static_cast<std::size_t>(corners[k].normal)]));
+    }
+    return true;
+}
+
+template <class T> std::size_t ShapeSet<T>::bytes() const {
+    const auto held = [](const auto& list) {
+        return list.capacity() * sizeof(typename std::decay_t<decltype(list)>::value_type);
+    };
+    return held(parts_) + held(object_of_) + held(spheres_) + held(polygons_) + held(triangles_) +
+           held(vertex_normals_) + held(cones_) + held(transforms_) + held(polygon_boxes_);
 }
 
 template <class T>
 SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) const {
-    const Primitive& primitive = primitives_[id];
+    const Primitive primitive = (*this)[id];
     const auto at = [&](const Ray<T>& r) {
         switch (primitive.kind) {
             case ShapeKind::sphere:
@@ -186,13 +264,9 @@ SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) 
             case ShapeKind::polygon:
                 return raytree::surface_at(polygons_[primitive.shape], r, t);
             case ShapeKind::triangle: {
-                const TriangleShape<T>& triangle = triangles_[primitive.shape];
-                return raytree::surface_at(
-                    triangle,
-                    triangle.normals < 0
-                        ? nullptr
-                        : &vertex_normals_[static_cast<std::size_t>(triangle.normals)],
-                    r, t);
+                VertexNormals<T> normals;
+                const bool smooth = normals_of(primitive, normals);
+                return raytree::surface_at(triangle(primitive), smooth ? &normals : nullptr, r, t);
             }
             default:
                 return raytree::surface_at(cones_[primitive.shape], r, t);
@@ -208,7 +282,7 @@ SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) 
 }
 
 template <class T> Box ShapeSet<T>::bounds(PrimitiveId id) const {
-    const Primitive& primitive = primitives_[id];
+    const Primitive primitive = (*this)[id];
     Box box;
     switch (primitive.kind) {
         case ShapeKind::sphere: {
@@ -220,7 +294,7 @@ template <class T> Box ShapeSet<T>::bounds(PrimitiveId id) const {
             box = polygon_boxes_[primitive.shape];
             break;
         case ShapeKind::triangle:
-            for (const Vec3<T>& vertex : triangles_[primitive.shape].vertices) {
+            for (const Vec3<T>& vertex : triangle(primitive).vertices) {
                 box.include(to_double(vertex));
             }
             break;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,22 @@ struct Primitive {
     std::int32_t transform = -1;  ///< place among the transforms, -1: none
 };
 
+/// What is known of the start of a ray that leaves `leaving`, for the shape `id`.
+inline Start start_on(PrimitiveId id, PrimitiveId leaving) {
+    return leaving == no_primitive ? Start::anywhere
+           : leaving == id         ? Start::on_this_shape
+                                   : Start::on_another_shape;
+}
+
 /// All shapes of a scene, prepared for intersection in the arithmetic T. Meshes become triangles,
-/// and so do polygons of three vertices. A PrimitiveId is a place in the order of the scene.
+/// and so do polygons of three vertices. A PrimitiveId is a place in the order of the scene. The
+/// vertices of meshes stay where they are: the scene given must outlive the set.
 template <class T> class ShapeSet {
   public:
     explicit ShapeSet(const Scene& scene);
 
-    std::size_t size() const { return primitives_.size(); }
-    const Primitive& operator[](PrimitiveId id) const { return primitives_[id]; }
+    std::size_t size() const { return object_of_.size(); }
+    Primitive operator[](PrimitiveId id) const;
 
     /// The ray's intersections with one shape, t in the world. `leaving` is the shape that the ray
     /// starts on, or no_primitive for one that starts in free space.
@@ -44,18 +53,37 @@ template <class T> class ShapeSet {
     /// A box around the shape, wide enough for every hit that `intersect` reports.
     Box bounds(PrimitiveId id) const;
 
-  private:
-    void add(const Object& object, std::uint32_t place);
-    void add_polygon(const Polygon& polygon, Primitive primitive);
-    void add_mesh(const Mesh& mesh, Primitive primitive);
-    void add_triangle(const std::array<Vec3<T>, 3>& vertices, const Vec3<T>* normals,
-                      const Primitive& primitive);
+    /// The shape itself, of a primitive of that kind.
+    const SphereShape<T>& sphere(const Primitive& p) const { return spheres_[p.shape]; }
+    const ConeShape<T>& cone(const Primitive& p) const { return cones_[p.shape]; }
+    TriangleShape<T> triangle(const Primitive& p) const;
 
-    std::vector<Primitive> primitives_;
+    /// What the shapes take, the scene's own vertices left out.
+    std::size_t bytes() const;
+
+  private:
+    /// What all primitives of an object have in common.
+    struct Part {
+        ShapeKind kind = ShapeKind::sphere;
+        std::int32_t transform = -1;
+        PrimitiveId first = 0;       ///< of its primitives
+        std::uint32_t shape = 0;     ///< place of the first among the shapes of its kind
+        const Mesh* mesh = nullptr;  ///< whose triangles they are, if so
+    };
+
+    void add(const Object& object, std::uint32_t place);
+    void add_polygon(const Polygon& polygon, const std::string& name, Part& part);
+    void add_mesh(const Mesh& mesh, Part& part);
+    TriangleShape<T> mesh_triangle(const Mesh& mesh, std::uint32_t place) const;
+    /// Whether there are any; then they are in `normals`.
+    bool normals_of(const Primitive& triangle, VertexNormals<T>& normals) const;
+
+    std::vector<Part> parts_;               ///< by object
+    std::vector<std::uint32_t> object_of_;  ///< by primitive
     std::vector<SphereShape<T>> spheres_;
     std::vector<PolygonShape<T>> polygons_;
-    std::vector<TriangleShape<T>> triangles_;
-    std::vector<VertexNormals<T>> vertex_normals_;
+    std::vector<TriangleShape<T>> triangles_;                      ///< that are not of a mesh
+    std::vector<std::optional<VertexNormals<T>>> vertex_normals_;  ///< of these
     std::vector<ConeShape<T>> cones_;
     std::vector<AffineMap<T>> transforms_;
     std::vector<Box> polygon_boxes_;
@@ -64,12 +92,32 @@ template <class T> class ShapeSet {
 /// The name that a primitive is reported by: its object's, and "name#k" for a mesh's triangle k.
 std::string primitive_name(const Scene& scene, const Primitive& primitive);
 
+template <class T> Primitive ShapeSet<T>::operator[](PrimitiveId id) const {
+    const std::uint32_t object = object_of_[id];
+    const Part& part = parts_[object];
+    const std::uint32_t number = id - part.first;
+    return {part.kind, part.shape + number, object,
+            part.mesh ? static_cast<std::int32_t>(number) : -1, part.transform};
+}
+
+template <class T>
+TriangleShape<T> ShapeSet<T>::mesh_triangle(const Mesh& mesh, std::uint32_t place) const {
+    const Mesh::Triangle& corners = mesh.triangles[place];
+    const auto vertex = [&](std::size_t k) {
+        return vector_cast<T>(mesh.vertices[static_cast<std::size_t>(corners[k].vertex)]);
+    };
+    return {{vertex(0), vertex(1), vertex(2)}};
+}
+
+template <class T> TriangleShape<T> ShapeSet<T>::triangle(const Primitive& p) const {
+    const Mesh* const mesh = parts_[p.object].mesh;
+    return mesh ? mesh_triangle(*mesh, static_cast<std::uint32_t>(p.part)) : triangles_[p.shape];
+}
+
 template <class T>
 Roots<T> ShapeSet<T>::intersect(PrimitiveId id, const Ray<T>& ray, PrimitiveId leaving) const {
-    const Primitive& primitive = primitives_[id];
-    const Start start = leaving == no_primitive ? Start::anywhere
-                        : leaving == id         ? Start::on_this_shape
-                                                : Start::on_another_shape;
+    const Primitive primitive = (*this)[id];
+    const Start start = start_on(id, leaving);
     const auto meet_shape = [&](const Ray<T>& r) {
         switch (primitive.kind) {
             case ShapeKind::sphere:
@@ -77,7 +125,7 @@ Roots<T> ShapeSet<T>::intersect(PrimitiveId id, const Ray<T>& ray, PrimitiveId l
             case ShapeKind::polygon:
                 return raytree::intersect(polygons_[primitive.shape], r, start);
             case ShapeKind::triangle:
-                return raytree::intersect(triangles_[primitive.shape], r, start);
+                return raytree::intersect(triangle(primitive), r, start);
             default:
                 return raytree::intersect(cones_[primitive.shape], r, start);
         }

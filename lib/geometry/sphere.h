@@ -12,7 +12,9 @@ template <class T> struct SphereShape {
 /// The intersections with a sphere. The ray's origin is first moved to the point nearest to the
 /// centre, so that no digits are lost however far away it starts (the two-step form of Haines,
 /// Günther & Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
-/// ch. 7, 2019). From a start on the sphere the other root is -2 (f . d) / (d . d).
+/// ch. 7, 2019). From a start on the sphere the other root is -2 (f . d) / (d . d), none where the
+/// ray goes outwards; a chord too short for its sign to be known is one unit roundoff of the
+/// radius. What rounding does to a root, sphere_error.h says.
 template <class T>
 Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start) {
     const Vec3<T> f = ray.origin - sphere.center;
@@ -24,10 +26,17 @@ Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start)
         const T reach = largest_component(sphere.center) + sphere.radius;
         const T error = 4 * (ray.origin_error + 4 * Real<T>::unit_roundoff * reach);
         const T off_surface = inner(f, f) - sphere.radius * sphere.radius;
-        start = abs(off_surface) <= 2 * sphere.radius * error ? Start::on_this_shape : start;
+        if (abs(off_surface) <= 2 * sphere.radius * error) {
+            roots.add(2 * first_step);
+            return roots;
+        }
     }
     if (start == Start::on_this_shape) {
-        roots.add(2 * first_step);
+        if (ray.going == Going::inwards) {
+            roots.add(max_of(2 * first_step, Real<T>::unit_roundoff * sphere.radius));
+        } else if (ray.going == Going::unknown) {
+            roots.add(2 * first_step);
+        }
         return roots;
     }
     const Vec3<T> foot = along(f, first_step, d);

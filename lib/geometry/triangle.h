@@ -4,38 +4,49 @@
 #include <optional>
 
 #include "geometry/plane.h"
+#include "geometry/ray_frame.h"
 
 namespace raytree {
 
 /// A triangle, of a mesh or a polygon of three vertices.
-template <class T> struct TriangleShape {
-    std::array<Vec3<T>, 3> vertices{};
-    Plane<T> plane;
-    std::int32_t normals = -1;  ///< place of its vertex normals, -1: none
-};
+template <class T> struct TriangleShape { std::array<Vec3<T>, 3> vertices{}; };
 
+/// The unit normals of a triangle's vertices.
 template <class T> using VertexNormals = std::array<Vec3<T>, 3>;
 
-template <class T> TriangleShape<T> make_triangle(const std::array<Vec3<T>, 3>& vertices) {
-    return {vertices, supporting_plane(std::span<const Vec3<T>>(vertices)), -1};
+template <class T> Plane<T> supporting_plane(const TriangleShape<T>& triangle) {
+    return supporting_plane(std::span<const Vec3<T>>(triangle.vertices));
+}
+
+/// Where the ray meets the triangle's plane, as `meet` of a plane says, without what would only be
+/// a detour to one number: the normal is left as long as it is, and the point is a vertex.
+template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start,
+                                T nearest, T farthest) {
+    const auto& [a, b, c] = triangle.vertices;
+    const Vec3<T> normal = outer<T>(b - a, c - a);
+    const T distance = inner<T>(normal, a - ray.origin);
+    if (start != Start::anywhere) {
+        const T extent =
+            max_of(largest_component(a), max_of(largest_component(b), largest_component(c)));
+        const T error = 16 * Real<T>::unit_roundoff * extent + 4 * ray.origin_error;
+        if (abs(distance) <= error * length(normal)) {
+            return 0;
+        }
+    }
+    const T speed = inner(normal, ray.direction);
+    return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
 /// both triangles on an edge compute the same edge function up to its sign, so that no ray passes
 /// between them (Woop, Benthin & Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
-template <class T> bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray) {
-    const Vec3<T>& d = ray.direction;
-    int z = abs(d.x) > abs(d.y) ? 0 : 1;
-    z = abs(d.z) > abs(d[z]) ? 2 : z;
-    const int x = (z + 1) % 3;
-    const int y = (z + 2) % 3;
-    const T shear_x = d[x] / d[z];
-    const T shear_y = d[y] / d[z];
+template <class T>
+bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray, const RayFrame<T>& frame) {
     std::array<T, 3> px, py;
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<T> v = triangle.vertices[i] - ray.origin;
-        px[i] = v[x] - shear_x * v[z];
-        py[i] = v[y] - shear_y * v[z];
+        px[i] = frame.x_of(v);
+        py[i] = frame.y_of(v);
     }
     const T e0 = px[2] * py[1] - py[2] * px[1];
     const T e1 = px[0] * py[2] - py[0] * px[2];
@@ -51,23 +62,25 @@ Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start st
     if (start == Start::on_this_shape) {
         return roots;
     }
-    const T t = meet(triangle.plane, ray, start);
-    if (t > 0 && passes_through(triangle, ray)) {
-        roots.add(t);
+    const RayFrame<T> frame(ray.direction);
+    if (passes_through(triangle, ray, frame)) {
+        const auto [nearest, farthest] =
+            passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
+        roots.add(meet_plane(triangle, ray, start, nearest, farthest));
     }
     return roots;
 }
 
 /// The normal interpolated at a point of the triangle by its barycentric coordinates, which on a
 /// triangle is what bilinear interpolation gives.
-template <class T> UnitVec3<T> interpolated_normal(const TriangleShape<T>& triangle,
-                                                   const VertexNormals<T>& normals,
-                                                   const Vec3<T>& point) {
+template <class T>
+UnitVec3<T> interpolated_normal(const TriangleShape<T>& triangle, const UnitVec3<T>& normal,
+                                const VertexNormals<T>& normals, const Vec3<T>& point) {
     Vec3<T> sum(T(0));
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3<T> area = outer<T>(triangle.vertices[(i + 1) % 3] - point,
                                       triangle.vertices[(i + 2) % 3] - point);
-        sum += inner(triangle.plane.normal, area) * normals[i];
+        sum += inner(normal, area) * normals[i];
     }
     return UnitVec3<T>::of(sum);
 }
@@ -76,9 +89,10 @@ template <class T> UnitVec3<T> interpolated_normal(const TriangleShape<T>& trian
 template <class T> SurfacePoint<T> surface_at(const TriangleShape<T>& triangle,
                                               const VertexNormals<T>* normals, const Ray<T>& ray,
                                               T t) {
-    const Vec3<T> point = point_on(triangle.plane, ray, t);
-    return {point, triangle.plane.normal,
-            normals ? interpolated_normal(triangle, *normals, point) : triangle.plane.normal};
+    const Plane<T> plane = supporting_plane(triangle);
+    const Vec3<T> point = point_on(plane, ray, t);
+    return {point, plane.normal,
+            normals ? interpolated_normal(triangle, plane.normal, *normals, point) : plane.normal};
 }
 
 }  // namespace raytree

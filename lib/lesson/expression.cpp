@@ -179,6 +179,8 @@ class Evaluation {
                 return element_of(of(node.parts[0]), of(node.parts[1]));
             case Kind::call:
                 return called(node);
+            case Kind::call_of:
+                return called_of(node);
             case Kind::list:
                 return listed(node);
             case Kind::negate:
@@ -216,6 +218,21 @@ class Evaluation {
             names.push_back(name);
         }
         no_such("function", node.text, names);
+    }
+    /// `mistake('…').at(3, 4)`: a function of what stands before the point.
+    Value called_of(const Node& node) const {
+        const Value whole = of(node.parts[0]);
+        std::vector<Value> arguments;
+        for (std::size_t k = 1; k < node.parts.size(); ++k) {
+            arguments.push_back(of(node.parts[k]));
+        }
+        if (whole.scope) {
+            if (auto found = whole.scope->call(node.text, arguments)) {
+                return *std::move(found);
+            }
+        }
+        no_such("function", node.text,
+                whole.scope ? whole.scope->names() : std::vector<std::string>());
     }
     Value listed(const Node& node) const {
         Json list = Json::array();
@@ -257,8 +274,11 @@ class Evaluation {
     const Scope& scope_;
 };
 
+/// `at(3, 4).primary` refers to something as `primary` does; `sqrt(2)` does not.
 bool looks_up(const Node& node) {
-    return node.kind == Kind::name || std::ranges::any_of(node.parts, looks_up);
+    return node.kind == Kind::name ||
+           (node.kind == Kind::call && !is_function_of_numbers(node.text)) ||
+           std::ranges::any_of(node.parts, looks_up);
 }
 
 }  // namespace

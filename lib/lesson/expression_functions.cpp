@@ -130,4 +130,9 @@ std::vector<std::string> function_names() {
     return names;
 }
 
+bool is_function_of_numbers(std::string_view name) {
+    const std::vector<std::string> names = function_names();
+    return std::ranges::find(names, name) != names.end();
+}
+
 }  // namespace raytree::lesson

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 
 #include "lesson/expression_node.h"
 
@@ -162,6 +163,10 @@ class Parser {
             if (take(".")) {
                 Node next{Kind::member, name(), nullptr, {}};
                 next.parts.push_back(std::move(node));
+                if (take("(")) {
+                    next.kind = Kind::call_of;
+                    std::ranges::move(list(")"), std::back_inserter(next.parts));
+                }
                 node = std::move(next);
             } else if (take("[")) {
                 Node next{Kind::element, "[]", nullptr, {}};

@@ -150,8 +150,10 @@ class PixelScope final : public Scope {
     }
     /// The ray that a feature is about; the others do not ask for it.
     std::size_t selected_or_primary(std::string_view feature) const {
-        return feature == "traversal" || feature == "volumes" || feature == "depth" ? selected()
-                                                                                    : 0;
+        return feature == "traversal" || feature == "volumes" || feature == "depth" ||
+                       feature == "hierarchies"
+                   ? selected()
+                   : 0;
     }
 
     Value other(std::shared_ptr<const StageWorld> world, const Show& show) const {

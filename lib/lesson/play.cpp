@@ -134,6 +134,24 @@ bool Play::is_right(std::size_t step, const Json& answer) const {
     return ask.truth.truth(*scope_of(step, answer));
 }
 
+bool Play::is_answer_of_mistake(std::size_t step, const std::string& mistake,
+                                const Json& answer) const {
+    const Ask& ask = ask_of(this->step(step));
+    const Json given = ask.kind == AskKind::choice
+                           ? ask.options[place_in(answer, ask.options.size())].value
+                           : answer;
+    try {
+        const Value word = Value::of(mistake);
+        const auto wrong = scope(step)->call("mistake", std::span(&word, 1));
+        return same(ask.truth.data(*wrong->scope), given,
+                    std::max(ask.tolerance, option_tolerance));
+    } catch (const ExpressionError&) {
+        return false;  // what is asked for does not exist with this mistake
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 const Text* Play::hint_for(std::size_t step, const Json& answer) const {
     const Ask& ask = ask_of(this->step(step));
     for (const Hint& hint : ask.hints) {
@@ -143,13 +161,7 @@ const Text* Play::hint_for(std::size_t step, const Json& answer) const {
             }
             continue;
         }
-        const auto here = scope(step);
-        const Value word = Value::of(hint.mistake);
-        const auto wrong = here->call("mistake", std::span(&word, 1));
-        const Json given = ask.kind == AskKind::choice
-                               ? ask.options[place_in(answer, ask.options.size())].value
-                               : answer;
-        if (same(ask.truth.data(*wrong->scope), given, std::max(ask.tolerance, option_tolerance))) {
+        if (is_answer_of_mistake(step, hint.mistake, answer)) {
             return &hint.text;
         }
     }

@@ -57,6 +57,8 @@ class Play {
     const Text* hint_for(std::size_t step, const Json& answer) const;
 
   private:
+    bool is_answer_of_mistake(std::size_t step, const std::string& mistake,
+                              const Json& answer) const;
     std::shared_ptr<const Scope> scope_of(std::size_t step, const Json& answer) const;
 
     std::shared_ptr<const Lesson> lesson_;

@@ -71,7 +71,74 @@ void apply(Json& document, const Json& change) {
     }
 }
 
+Json numbers(const Colour& c) { return Json::array({c.r, c.g, c.b}); }
+
+/// Adds a member that the writer has left out because it is the default.
+template <class T> void complete(Json& object, const char* key, const T& value) {
+    if (!object.contains(key)) {
+        object[key] = value;
+    }
+}
+
+void complete_material(Json& json, const Material& material) {
+    complete(json, "color", numbers(material.color));
+    complete(json, "specular_color", numbers(material.specular_color));
+    complete(json, "ka", numbers(material.ka));
+    complete(json, "kd", numbers(material.kd));
+    complete(json, "ks", numbers(material.ks));
+    complete(json, "kr", numbers(material.kr));
+    complete(json, "kt", numbers(material.kt));
+    complete(json, "shininess", material.shininess);
+    complete(json, "ior", material.ior);
+}
+
+/// The scene's document with every default written out.
+Json whole_document(const Scene& scene) {
+    Json document = Json::parse(write_scene_json(scene));
+    complete(document, "background", numbers(scene.background));
+    complete(document, "ambient", numbers(scene.ambient));
+    JsonWriter settings;
+    write_settings_json(settings, scene.settings);
+    document["settings"] = Json::parse(settings.take());
+    complete(document["camera"], "up",
+             Json::array({scene.camera.up.x, scene.camera.up.y, scene.camera.up.z}));
+    complete(document["camera"], "near", scene.camera.near);
+    complete(document, "materials", Json::object());
+    complete(document, "lights", Json::array());
+    for (const Material& material : scene.materials) {
+        if (!material.in_place) {
+            complete_material(document["materials"][material.name], material);
+        }
+    }
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        Json& light = document["lights"][k];
+        complete(light, "name", scene.lights[k].name);
+        complete(light, "intensity", numbers(scene.lights[k].intensity));
+        if (const auto* point = std::get_if<PointLight>(&scene.lights[k].kind)) {
+            const Attenuation& f = point->attenuation;
+            complete(light, "attenuation", Json::array({f.a, f.b, f.c}));
+        }
+    }
+    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        Json& object = document["objects"][k];
+        complete(object, "name", scene.objects[k].name);
+        const Material& material = scene.materials[scene.objects[k].material];
+        if (material.in_place) {
+            complete_material(object["material"], material);
+        }
+    }
+    return document;
+}
+
 }  // namespace
+
+std::shared_ptr<const StagedScene> as_it_is(const std::filesystem::path& file, LoadedScene loaded) {
+    auto staged = std::make_shared<StagedScene>();
+    staged->file = file;
+    staged->document = whole_document(loaded.scene);
+    staged->loaded = std::move(loaded);
+    return staged;
+}
 
 std::shared_ptr<const StagedScene> stage_scene(const std::filesystem::path& file,
                                                const Json& change) {
@@ -87,7 +154,7 @@ std::shared_ptr<const StagedScene> stage_scene(const std::filesystem::path& file
         staged->loaded.warnings.clear();
         staged->loaded.scene = read_scene_json(document.dump(), file, staged->loaded.warnings);
     }
-    staged->document = Json::parse(write_scene_json(staged->loaded.scene));
+    staged->document = whole_document(staged->loaded.scene);
     return staged;
 }
 
@@ -102,7 +169,7 @@ std::shared_ptr<const StagedScene> change_scene(const StagedScene& scene,
         throw InputError(scene.file.string(), pointer, "the scene has no such member");
     }
     changed->loaded.scene = read_scene_json(document.dump(), scene.file, changed->loaded.warnings);
-    changed->document = Json::parse(write_scene_json(changed->loaded.scene));
+    changed->document = whole_document(changed->loaded.scene);
     return changed;
 }
 

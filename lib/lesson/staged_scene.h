@@ -25,6 +25,9 @@ struct StagedScene {
 std::shared_ptr<const StagedScene> stage_scene(const std::filesystem::path& file,
                                                const Json& change);
 
+/// A scene that has been read already.
+std::shared_ptr<const StagedScene> as_it_is(const std::filesystem::path& file, LoadedScene loaded);
+
 /// The scene with the member of its document that `pointer` (RFC 6901) names set to `value`.
 std::shared_ptr<const StagedScene> change_scene(const StagedScene& scene,
                                                 const std::string& pointer, const Json& value);

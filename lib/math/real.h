@@ -41,12 +41,22 @@ template <class T> struct Real {
     static constexpr T unit_roundoff = std::numeric_limits<T>::epsilon() / 2;
     static constexpr T infinity = std::numeric_limits<T>::infinity();
     static constexpr T pi = static_cast<T>(3.14159265358979323846264338327950288L);
+    /// Lengths from 1 / largest_length to largest_length can be squared and multiplied with each
+    /// other in every formula of the library; a scene with others is refused.
+    static constexpr T largest_length =
+        static_cast<T>(sizeof(T) == sizeof(float) ? 0x1p+60 : 0x1p+500);
+    /// Factors likewise: of transforms and between refractive indices.
+    static constexpr T largest_factor =
+        static_cast<T>(sizeof(T) == sizeof(float) ? 0x1p+30 : 0x1p+250);
 };
 
 template <> struct Real<Quad> {
     static constexpr Quad unit_roundoff = static_cast<Quad>(0x1p-113);
     static constexpr Quad infinity = static_cast<Quad>(std::numeric_limits<double>::infinity());
     static inline const Quad pi = acosq(-1);
+    // Not larger than for double: boxes are of doubles.
+    static constexpr Quad largest_length = Real<double>::largest_length;
+    static constexpr Quad largest_factor = Real<double>::largest_factor;
 };
 
 }  // namespace raytree

@@ -10,12 +10,13 @@
 #include <atomic>
 #include <chrono>
 
+#include "trace/render_tile.h"
 #include "trace/tracer.h"
 
 namespace raytree {
 namespace {
 
-constexpr int tile = 16;
+constexpr int tile = tile_size;
 
 using Tile = tbb::blocked_range2d<int>;
 
@@ -77,15 +78,9 @@ template <class T> double value_of(Measure measure, const CountingRecorder<T>& r
 
 template <class T> Picture render(const World<T>& world, const RenderOptions& options) {
     Picture picture = black(world);
+    const TileTracer<T> trace = tile_tracer<T>(plan_of(world.scene()));
     for_each_tile(picture.width, picture.height, options, [&](const Tile& t) {
-        NoRecorder<T> recorder;
-        Tracer<T, NoRecorder<T>> tracer(world, recorder);
-        for (int j = t.rows().begin(); j < t.rows().end(); ++j) {
-            for (int i = t.cols().begin(); i < t.cols().end(); ++i) {
-                picture.pixels[place(picture.width, i, j)] =
-                    rgb_cast<double>(tracer.trace_pixel(i, j));
-            }
-        }
+        trace(world, {t.cols().begin(), t.cols().end(), t.rows().begin(), t.rows().end()}, picture);
     });
     return picture;
 }

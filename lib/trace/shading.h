@@ -73,6 +73,11 @@ template <class T> struct Snell {
     T cos2_transmitted = 1;  ///< 1 - sin2_transmitted, to more digits near the critical angle
 
     bool total_reflection() const { return cos2_transmitted < 0; }
+
+    /// Bound on the error of `cos2_transmitted`, the ray and the normal taken as exact: the cross
+    /// product to 3 u, its square to 9 u, the ratio of indices squared to 3 u, their product and
+    /// the difference once more each.
+    T error() const { return 14 * Real<T>::unit_roundoff * max_of(T(1), sin2_transmitted); }
 };
 
 /// sin^2 of the incident angle is |n x d|^2, which keeps its digits near normal incidence.

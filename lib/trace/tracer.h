@@ -12,21 +12,45 @@
 
 namespace raytree {
 
+/// What a scene's plan says that the tracer is compiled for: where a fact is false, nothing is
+/// done for it, not even a question.
+struct Facts {
+    bool reflective = true;
+    bool transmissive = true;
+    bool attenuated = true;
+};
+
 /// The one tracer: follows a pixel's ray tree depth first and evaluates it bottom up, in the
-/// arithmetic T, telling `Recorder` what it does.
-template <class T, class Recorder> class Tracer {
+/// arithmetic T, telling `Recorder` what it does. `facts` must hold for the world's scene.
+template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
   public:
     Tracer(const World<T>& world, Recorder& recorder)
         : world_(world), settings_(world.scene().settings), recorder_(recorder) {}
 
     /// The intensity of pixel (i, j), which must lie in the picture. Throws InputError where a
     /// weight or an intensity grows beyond the range of T.
-    Rgb<T> trace_pixel(int i, int j) {
+    Rgb<T> trace_pixel(int i, int j) { return trace_pixel(i, j, primary(i, j), nullptr); }
+
+    /// The ray of pixel (i, j) as the world's shapes are asked about it.
+    Query<T> primary(int i, int j) const {
+        Query<T> query;
+        query.ray = world_.camera.primary(i, j);
+        query.interval.from = world_.camera.near_along(query.ray.direction);
+        if (world_.max_distance) {
+            query.interval.to = *world_.max_distance;
+        }
+        return query;
+    }
+
+    /// The same where `query` is the pixel's and has been asked already, together with others:
+    /// `hit` is the answer, or null.
+    Rgb<T> trace_pixel(int i, int j, const Query<T>& query, const Hit<T>* hit) {
         rays_ = 0;
         finite_ = true;
         Branch primary;
-        primary.start.ray = world_.camera.primary(i, j);
-        primary.interval.from = world_.camera.near_along(primary.start.ray.direction);
+        primary.start.ray = query.ray;
+        primary.interval = query.interval;
+        primary.known = hit;
         const Rgb<T> intensity = trace(primary, RayHandle{}).intensity;
         if (!finite_ || !isfinite(intensity)) {
             throw InputError("", "pixel " + std::to_string(i) + "," + std::to_string(j),
@@ -46,6 +70,7 @@ template <class T, class Recorder> class Tracer {
         Interval<T> interval;
         T path = 0;  ///< length from the eye to its start
         Media media;
+        const Hit<T>* known = nullptr;  ///< what it meets, where that is known
     };
     struct Result {
         Rgb<T> intensity;
@@ -70,6 +95,7 @@ template <class T, class Recorder> class Tracer {
     Result trace(const Branch& branch, RayHandle parent);
     Result miss(const Branch& branch, RayHandle handle);
     Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit);
+    static Ray<T> onwards(const Node& node, const Vec3<T>& direction, bool outwards);
     void refract(Node& node) const;
     void light(Node& node);
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
@@ -85,21 +111,25 @@ template <class T, class Recorder> class Tracer {
     bool finite_ = true;
 };
 
-template <class T, class Recorder>
-auto Tracer<T, Recorder>::trace(const Branch& branch, RayHandle parent) -> Result {
+template <class T, class Recorder, Facts facts>
+auto Tracer<T, Recorder, facts>::trace(const Branch& branch, RayHandle parent) -> Result {
     ++rays_;
     const RayHandle handle = recorder_.start(parent, branch.start);
     Interval<T> interval = branch.interval;
     if (world_.max_distance) {
         interval.to = *world_.max_distance - branch.path;
     }
+    if (branch.known) {
+        const Hit<T>& hit = *branch.known;
+        return hit.primitive != no_primitive ? meet(branch, handle, hit) : miss(branch, handle);
+    }
     const auto hit =
         world_.shapes.closest(branch.start.ray, branch.leaving, interval, recorder_.tests);
     return hit ? meet(branch, handle, *hit) : miss(branch, handle);
 }
 
-template <class T, class Recorder>
-auto Tracer<T, Recorder>::miss(const Branch& branch, RayHandle handle) -> Result {
+template <class T, class Recorder, Facts facts>
+auto Tracer<T, Recorder, facts>::miss(const Branch& branch, RayHandle handle) -> Result {
     const bool primary = branch.start.kind == RayKind::primary;
     RayEnd<T> end;
     end.intensity = primary ? world_.background : world_.secondary_background;
@@ -108,8 +138,8 @@ auto Tracer<T, Recorder>::miss(const Branch& branch, RayHandle handle) -> Result
     return {end.intensity, T(1)};
 }
 
-template <class T, class Recorder>
-auto Tracer<T, Recorder>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit)
+template <class T, class Recorder, Facts facts>
+auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit)
     -> Result {
     const Vec3<T>& d = branch.start.ray.direction;
     const std::size_t object = world_.shapes.shapes()[hit.primitive].object;
@@ -132,10 +162,10 @@ auto Tracer<T, Recorder>::meet(const Branch& branch, RayHandle handle, const Hit
         node.front ? node.surface.shading_normal.vec() : -node.surface.shading_normal.vec();
     node.kr = node.material.kr;
     node.kt = node.material.kt;
-    if (branch.start.kind != RayKind::primary) {
+    if (facts.attenuated && branch.start.kind != RayKind::primary) {
         node.attenuation = world_.attenuation.at(hit.t);
     }
-    if (node.material.transmissive) {
+    if (facts.transmissive && node.material.transmissive) {
         refract(node);
     }
     recorder_.hit(handle, {hit, node.surface.point, node.normal, node.front, -inner(d, node.normal),
@@ -155,8 +185,18 @@ auto Tracer<T, Recorder>::meet(const Branch& branch, RayHandle handle, const Hit
     return {node.end.intensity, node.attenuation};
 }
 
+/// A ray that leaves the hit to the outer or the inner side of its surface.
+template <class T, class Recorder, Facts facts>
+Ray<T> Tracer<T, Recorder, facts>::onwards(const Node& node, const Vec3<T>& direction,
+                                           bool outwards) {
+    const Vec3<T>& point = node.surface.point;
+    return {point, direction, 4 * Real<T>::unit_roundoff * largest_component(point),
+            outwards ? Going::outwards : Going::inwards};
+}
+
 /// Which media meet here, and whether the ray can pass (model, "Media").
-template <class T, class Recorder> void Tracer<T, Recorder>::refract(Node& node) const {
+template <class T, class Recorder, Facts facts>
+void Tracer<T, Recorder, facts>::refract(Node& node) const {
     const auto index_of = [&](const Media& media) {
         return media.empty() ? T(1) : world_.materials[media.last()].ior;
     };
@@ -175,7 +215,7 @@ template <class T, class Recorder> void Tracer<T, Recorder>::refract(Node& node)
     }
 }
 
-template <class T, class Recorder> void Tracer<T, Recorder>::light(Node& node) {
+template <class T, class Recorder, Facts facts> void Tracer<T, Recorder, facts>::light(Node& node) {
     if (!Recorder::wants_reasons && !node.material.lit) {
         return;
     }
@@ -191,16 +231,15 @@ template <class T, class Recorder> void Tracer<T, Recorder>::light(Node& node) {
     }
 }
 
-template <class T, class Recorder>
-void Tracer<T, Recorder>::shine(Node& node, std::size_t light, const Illumination<T>& at) {
+template <class T, class Recorder, Facts facts>
+void Tracer<T, Recorder, facts>::shine(Node& node, std::size_t light, const Illumination<T>& at) {
     ShadowEvent<T> shadow;
     shadow.light = light;
     shadow.origin = node.surface.point;
     shadow.at = &at;
     if (settings_.shadows != ShadowMode::none) {
         ++rays_;
-        const Ray<T> ray{node.surface.point, at.towards,
-                         4 * Real<T>::unit_roundoff * largest_component(node.surface.point)};
+        const Ray<T> ray = onwards(node, at.towards, node.front);
         shadow.transmittance = transmitted(ray, node.hit.primitive, at.distance, shadow.blocker);
     }
     if (!is_zero(shadow.transmittance)) {
@@ -216,9 +255,9 @@ void Tracer<T, Recorder>::shine(Node& node, std::size_t light, const Illuminatio
 }
 
 /// How much of a light comes through, and which surface stops it.
-template <class T, class Recorder>
-Rgb<T> Tracer<T, Recorder>::transmitted(const Ray<T>& ray, PrimitiveId leaving, T distance,
-                                        std::optional<Hit<T>>& blocker) {
+template <class T, class Recorder, Facts facts>
+Rgb<T> Tracer<T, Recorder, facts>::transmitted(const Ray<T>& ray, PrimitiveId leaving, T distance,
+                                               std::optional<Hit<T>>& blocker) {
     // What is as far as the light within rounding is where the light is, not in between.
     const Interval<T> between{T(0), distance * (1 - 8 * Real<T>::unit_roundoff)};
     if (settings_.shadows == ShadowMode::opaque) {
@@ -242,9 +281,9 @@ Rgb<T> Tracer<T, Recorder>::transmitted(const Ray<T>& ray, PrimitiveId leaving, 
 }
 
 /// The first reason in the model's order for which a branch is not grown, if there is one.
-template <class T, class Recorder>
-std::optional<Reason> Tracer<T, Recorder>::why_not(const Node& node, RayKind kind,
-                                                   const Rgb<T>& weight) const {
+template <class T, class Recorder, Facts facts>
+std::optional<Reason> Tracer<T, Recorder, facts>::why_not(const Node& node, RayKind kind,
+                                                          const Rgb<T>& weight) const {
     const bool reflected = kind == RayKind::reflected;
     if (is_zero(reflected ? node.kr : node.kt)) {
         return reflected ? Reason::not_reflective : Reason::not_transmissive;
@@ -265,9 +304,14 @@ std::optional<Reason> Tracer<T, Recorder>::why_not(const Node& node, RayKind kin
 }
 
 /// Follows a branch and adds its share to the hit's intensity, or says why not.
-template <class T, class Recorder>
-std::optional<Reason> Tracer<T, Recorder>::grow(Node& node, RayKind kind) {
+template <class T, class Recorder, Facts facts>
+std::optional<Reason> Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind) {
     const bool reflected = kind == RayKind::reflected;
+    if (reflected ? !facts.reflective : !facts.transmissive) {
+        const Reason never = reflected ? Reason::not_reflective : Reason::not_transmissive;
+        recorder_.skip_branch(node.handle, kind, never);
+        return never;
+    }
     const Rgb<T>& k = reflected ? node.kr : node.kt;
     const Rgb<T> weight = node.attenuation * (k * node.branch.start.weight);
     finite_ = finite_ && isfinite(weight);
@@ -279,15 +323,13 @@ std::optional<Reason> Tracer<T, Recorder>::grow(Node& node, RayKind kind) {
     const Vec3<T>& d = node.branch.start.ray.direction;
     const UnitVec3<T> direction = reflected ? reflected_direction(d, node.normal)
                                             : refracted_direction(node.snell, d, node.normal);
-    Branch next{{kind,
-                 node.branch.start.level + 1,
-                 {node.surface.point, direction.vec(),
-                  4 * Real<T>::unit_roundoff * largest_component(node.surface.point)},
-                 weight},
+    Branch next{{kind, node.branch.start.level + 1,
+                 onwards(node, direction.vec(), node.front == reflected), weight},
                 node.hit.primitive,
                 {},
                 node.branch.path + node.hit.t,
-                node.branch.media};
+                node.branch.media,
+                nullptr};
     if (!reflected) {
         if (node.front) {
             next.media.enter(node.material_id);

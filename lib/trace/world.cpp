@@ -23,6 +23,43 @@ template <class T> WorldMaterial<T> material_of(const Material& m, const Colour&
             !is_zero(m.kt)};
 }
 
+/// Refuses what is a number in the scene and none, or none that can be squared, in T.
+template <class T> void expect_in_range(bool good, const std::string& where, const char* what) {
+    if (!good) {
+        throw InputError("", where,
+                         std::string(what) + " is too large or too small for this precision");
+    }
+}
+
+template <class T> void check_range(const World<T>& world) {
+    const Scene& scene = world.scene();
+    const Camera& camera = scene.camera;
+    expect_in_range<T>(largest_component(vector_cast<T>(camera.eye)) <= Real<T>::largest_length,
+                       "camera", "the eye's distance from the origin");
+    for (const int i : {0, camera.width - 1}) {
+        for (const int j : {0, camera.height - 1}) {
+            const Vec3<T> d = world.camera.primary(i, j).direction;
+            expect_in_range<T>(isfinite(inner(d, d)), "camera", "its window or a distance in it");
+        }
+    }
+    for (std::size_t k = 0; k < world.materials.size(); ++k) {
+        const WorldMaterial<T>& m = world.materials[k];
+        const std::string where = "material '" + scene.materials[k].name + "'";
+        expect_in_range<T>(m.ior <= Real<T>::largest_factor && m.ior * Real<T>::largest_factor >= 1,
+                           where, "ior");
+        expect_in_range<T>(isfinite(m.ambient) && isfinite(m.diffuse) && isfinite(m.specular) &&
+                               isfinite(m.kr) && isfinite(m.kt) && isfinite(m.shininess),
+                           where, "a coefficient or a product of two");
+    }
+    for (std::size_t k = 0; k < world.lights.size(); ++k) {
+        const WorldLight<T>& light = world.lights[k];
+        expect_in_range<T>(isfinite(light.intensity) && isfinite(largest_component(light.position)),
+                           "light '" + scene.lights[k].name + "'", "its place or intensity");
+    }
+    expect_in_range<T>(isfinite(world.background) && isfinite(world.secondary_background),
+                       "background", "a channel");
+}
+
 template <class T> WorldLight<T> light_of(const Light& light) {
     WorldLight<T> result;
     result.intensity = rgb_cast<T>(light.intensity);
@@ -57,6 +94,7 @@ template <class T> World<T>::World(const Scene& scene)
     for (const Light& light : scene.lights) {
         lights.push_back(light_of<T>(light));
     }
+    check_range(*this);
 }
 
 template class World<float>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <ranges>
 
@@ -66,7 +67,7 @@ std::vector<Vec3<double>> vertices_of(const Shape& shape, int part) {
 
 void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, double t,
                 Derivation& result) {
-    const Primitive& primitive = world.shapes.shapes()[id];
+    const Primitive primitive = world.shapes.shapes()[id];
     const Object& object = world.scene().objects[primitive.object];
     result.own_space = object.transform.has_value();
     if (object.transform) {
@@ -74,7 +75,9 @@ void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, dou
     }
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
         result.how = derive_sphere(*sphere, ray, t);
-    } else if (!std::holds_alternative<Cone>(object.shape)) {
+    } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
+        result.how = derive_cone(*cone, ray, t);
+    } else {
         result.how = derive_polygon(vertices_of(object.shape, primitive.part), ray);
     }
 }
@@ -121,6 +124,28 @@ SphereDerivation derive_sphere(const Sphere& sphere, const Ray<double>& ray, dou
     const double root = std::sqrt(std::max(0.0, result.discriminant));
     result.roots = {(-result.b - root) / (2 * result.a), (-result.b + root) / (2 * result.a)};
     result.taken = std::abs(result.roots[0] - t) <= std::abs(result.roots[1] - t) ? 0 : 1;
+    return result;
+}
+
+ConeDerivation derive_cone(const Cone& cone, const Ray<double>& ray, double t) {
+    const ConeShape<double> shape =
+        make_cone<double>(cone.base, cone.base_radius, cone.apex, cone.apex_radius);
+    const ConeQuadratic<double> q = quadratic(shape, ray.origin - shape.base, ray.direction);
+    ConeDerivation result{shape.base_radius, shape.slope, shape.height, q.a, 2 * q.b, q.c};
+    result.discriminant = result.b * result.b - 4 * result.a * result.c;
+    const double root = std::sqrt(std::max(0.0, result.discriminant));
+    if (result.a == 0) {  // along a line of the cone: one root, that of B t + C = 0
+        result.roots = {-result.c / result.b, std::numeric_limits<double>::quiet_NaN()};
+    } else {
+        result.roots = {(-result.b - root) / (2 * result.a), (-result.b + root) / (2 * result.a)};
+    }
+    if (result.roots[1] < result.roots[0]) {  // A may be negative: the ray is steeper than the cone
+        std::swap(result.roots[0], result.roots[1]);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        result.heights[k] = q.z + result.roots[k] * q.dz;
+    }
+    result.taken = std::abs(result.roots[1] - t) < std::abs(result.roots[0] - t) ? 1 : 0;
     return result;
 }
 

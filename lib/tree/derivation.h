@@ -36,8 +36,24 @@ struct PolygonDerivation {
     int crossings = 0;    ///< of the outline with the half line from the point towards larger u
 };
 
-/// Nothing for a cone.
-using HitDerivation = std::variant<std::monostate, SphereDerivation, PolygonDerivation>;
+/// `A t^2 + B t + C = 0` for the surface `|across|^2 = (r + m z)^2` of a cone or cylinder that goes
+/// on for ever, z being the height over the base, along the axis, and across what is left of
+/// `o + t d - base` without that. A root counts where `0 <= z <= h`.
+struct ConeDerivation {
+    double radius = 0;  ///< r, at the base
+    double slope = 0;   ///< m, by which the radius grows with z; 0 for a cylinder
+    double height = 0;  ///< h
+    double a = 0;       ///< d_across . d_across - (m d_z)^2
+    double b = 0;       ///< 2 (d_across . o_across - m d_z (r + m o_z))
+    double c = 0;       ///< o_across . o_across - (r + m o_z)^2
+    double discriminant = 0;
+    std::array<double, 2> roots{};    ///< the smaller first; the second is NaN where A is 0
+    std::array<double, 2> heights{};  ///< z of each root
+    int taken = 0;                    ///< which of them is the hit
+};
+
+using HitDerivation =
+    std::variant<std::monostate, SphereDerivation, PolygonDerivation, ConeDerivation>;
 
 /// A shape that the ray would meet if nothing stopped it.
 struct AlongRay {
@@ -63,6 +79,7 @@ struct Derivation {
 Derivation derive(const World<double>& world, const RayTree<double>& tree, std::size_t ray);
 
 SphereDerivation derive_sphere(const Sphere& sphere, const Ray<double>& ray, double t);
+ConeDerivation derive_cone(const Cone& cone, const Ray<double>& ray, double t);
 PolygonDerivation derive_polygon(std::span<const Vec3<double>> vertices, const Ray<double>& ray);
 
 }  // namespace raytree

@@ -28,7 +28,7 @@ template <class T> class TreeRecorder {
     }
 
     void hit(RayHandle handle, const HitEvent<T>& event) {
-        const Primitive& primitive = world_.shapes.shapes()[event.hit.primitive];
+        const Primitive primitive = world_.shapes.shapes()[event.hit.primitive];
         TreeHit<T>& hit = tree_.rays[*handle].hit.emplace();
         hit.object = primitive_name(scene(), primitive);
         hit.material = scene().materials[scene().objects[primitive.object].material].name;

@@ -129,7 +129,7 @@ TEST_CASE("app: a scene without anything to see still has an extent") {
     const auto document = test::document_of(scene);
     const Extent extent = extent_of(*document);
     CHECK(extent.diagonal > 0);
-    CHECK(scene_mesh(*document, extent).faces.triangle_count() == 0);
+    CHECK(scene_mesh(*document, extent, 0.002 * extent.diagonal).faces.triangle_count() == 0);
 }
 
 TEST_CASE("app: the picture stands where its rays pass through its pixels") {
@@ -190,7 +190,9 @@ TEST_CASE("app: rays are drawn from where they start to what they meet") {
 
 TEST_CASE("app: hidden kinds are not drawn, and of too many rays the weightiest are") {
     const Traced t = traced();
-    for (const RayPath& path : ray_paths(t.tree, t.extent, {RayKind::shadow})) {
+    RayFilter filter;
+    filter.set(group_of(RayKind::shadow), Shown::hidden);
+    for (const RayPath& path : ray_paths(t.tree, t.extent, filter)) {
         CHECK_FALSE(path.dashed());
     }
     const auto few = ray_paths(t.tree, t.extent, {}, 3);
@@ -273,7 +275,7 @@ TEST_CASE("app: all shapes of a scene are drawn, and drawing order only sorts th
         {"egg", 1, Affine{{{1, 0, 0, -2}, {0, 2, 0, 1}, {0, 0, 1, 0}}}, Sphere{{0, 0, 0}, 0.5}});
     const auto document = test::document_of(scene);
     const Extent extent = extent_of(*document);
-    const SceneMesh mesh = scene_mesh(*document, extent);
+    const SceneMesh mesh = scene_mesh(*document, extent, 0.002 * extent.diagonal);
     CHECK(mesh.objects.size() == 5);
     check_sound(mesh.faces);
     CHECK_FALSE(mesh.wires.segments.empty());

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "app/scenes.h"
 #include "formats/tree_json.h"

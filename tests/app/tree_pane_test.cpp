@@ -63,19 +63,42 @@ TEST_CASE("app: a folded diagram has fewer boxes and still every ray") {
 TEST_CASE("app: the diagram is folded and unfolded in steps, and wholly at the end") {
     State state = shown(test::glass_ball_scene());
     run_command(state, "diagram.fold_more");
-    CHECK(state.tree_pane().fold_below == 0);  // the diagram is not shown
+    CHECK_FALSE(state.tree_pane().fold_below);  // the diagram is not shown
     run_command(state, "tab.diagram");
     CHECK_FALSE(fold_less(*state.tree(), 0));
     std::size_t boxes = diagram_of(state.tree()->tree).boxes.size();
-    while (fold_more(*state.tree(), state.tree_pane().fold_below)) {
+    while (fold_more(*state.tree(), fold_of(*state.tree(), state.tree_pane()))) {
         run_command(state, "diagram.fold_more");
         const std::size_t fewer =
-            diagram_of(state.tree()->tree, state.tree_pane().fold_below).boxes.size();
+            diagram_of(state.tree()->tree, *state.tree_pane().fold_below).boxes.size();
         CHECK(fewer <= boxes);
         boxes = fewer;
     }
     CHECK(boxes <= 3);
-    while (fold_less(*state.tree(), state.tree_pane().fold_below)) {
+    while (fold_less(*state.tree(), fold_of(*state.tree(), state.tree_pane()))) {
+        run_command(state, "diagram.fold_less");
+    }
+    CHECK(state.tree_pane().fold_below == 0);
+}
+
+TEST_CASE("app: a diagram that is too wide for its room opens folded, and unfolds on demand") {
+    State state = shown(test::glass_ball_scene());
+    const double whole = diagram_of(state.tree()->tree).width;
+    TreePane pane = state.tree_pane();
+    pane.tab = TreePane::Tab::diagram;
+    pane.room = 2 * whole;
+    CHECK(fold_of(*state.tree(), pane) == 0);
+    pane.room = 0.8 * whole;
+    const double fold = fold_of(*state.tree(), pane);
+    CHECK(fold > 0);
+    CHECK(diagram_of(state.tree()->tree, fold).width <= pane.room);
+    // One step less would not fit.
+    CHECK(diagram_of(state.tree()->tree, fold_less(*state.tree(), fold).value()).width > pane.room);
+    pane.room = 1;
+    CHECK(std::isfinite(fold_of(*state.tree(), pane)));
+    pane.room = 0.8 * whole;
+    state.change_tree_pane(pane);
+    while (fold_less(*state.tree(), fold_of(*state.tree(), state.tree_pane()))) {
         run_command(state, "diagram.fold_less");
     }
     CHECK(state.tree_pane().fold_below == 0);

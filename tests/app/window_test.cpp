@@ -149,10 +149,10 @@ class WindowTest : public QObject {
         QTest::keyClick(canvas(), Qt::Key_T);
         QVERIFY(state_.look().theme == Theme::dark);
         QTest::keyClick(canvas(), Qt::Key_S);
-        QVERIFY(state_.look().hidden.contains(RayKind::shadow));
+        QVERIFY(state_.look().filter.of(group_of(RayKind::shadow)) == Shown::hidden);
         QTest::keyClick(canvas(), Qt::Key_S);
         QTest::keyClick(canvas(), Qt::Key_T);
-        QVERIFY(state_.look().hidden.empty());
+        QVERIFY(state_.look().filter.empty());
         QVERIFY(state_.look().theme == Theme::light);
     }
 
@@ -234,7 +234,9 @@ class WindowTest : public QObject {
 
     void the_cheat_sheet_lists_the_commands() {
         QTest::keyClick(canvas(), Qt::Key_F1);
-        auto* const list = window_->findChild<QTreeWidget*>();
+        auto* const dialog = window_->findChild<QDialog*>();
+        QVERIFY(dialog);
+        auto* const list = dialog->findChild<QTreeWidget*>();
         QVERIFY(list);
         QVERIFY(list->topLevelItemCount() > 20);
         list->window()->close();

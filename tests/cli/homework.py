@@ -258,5 +258,6 @@ def homework(bench):
     assignments(bench)
     schemas(bench)
     table = bench.data.parent / "lib" / "check" / "CATALOGUE.md"
+    made = bench.run("check --catalogue").stdout
     bench.check("CATALOGUE.md is current (raytree check --catalogue > lib/check/CATALOGUE.md)",
-                bench.run("check --catalogue").stdout == table.read_bytes())
+                made.count(b"\n| `") > 200 and made == table.read_bytes())

@@ -14,6 +14,7 @@ from pathlib import Path
 import checking
 import homework
 import inputs
+import lessons
 import pictures
 import terminal
 from cases import COMMANDS
@@ -114,8 +115,10 @@ def bad_input(bench):
 
 
 GROUPS = {"commands": commands, "bad_input": bad_input, "check": checking.checking,
-          "homework": homework.homework, "limits": pictures.limits, "pictures": pictures.pictures,
-          "shared_data": pictures.shared_data, "terminal": terminal.terminal}
+          "homework": homework.homework,
+          "limits": pictures.limits, "pictures": pictures.pictures,
+          "shared_data": pictures.shared_data, "terminal": terminal.terminal,
+          "lesson": lessons.lessons}
 
 
 def main():

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <random>
 #include <vector>
 
 #include "geometry/triangle.h"
@@ -114,13 +116,14 @@ TEST_CASE("triangle: bilinear and barycentric interpolation agree") {
                                     UnitVec3<double>::of({0.3, 0.2, 1}),
                                     UnitVec3<double>::of({-0.4, 0.1, 1})};
     const auto bilinear = polygon(vertices, normals);
-    const auto triangle = make_triangle<double>({vertices[0], vertices[1], vertices[2]});
+    const TriangleShape<double> triangle{{vertices[0], vertices[1], vertices[2]}};
     const VertexNormals<double> corner{normals[0], normals[1], normals[2]};
     for (double s = 0.1; s < 0.9; s += 0.2) {
         for (double t = 0.05; s + t < 0.95; t += 0.2) {
             const V p = (1 - s - t) * vertices[0] + s * vertices[1] + t * vertices[2];
-            const V difference = interpolated_normal(bilinear, p).vec() -
-                                 interpolated_normal(triangle, corner, p).vec();
+            const V difference =
+                interpolated_normal(bilinear, p).vec() -
+                interpolated_normal(triangle, supporting_plane(triangle).normal, corner, p).vec();
             CHECK(length(difference) < 1e-14);
         }
     }
@@ -136,7 +139,7 @@ TEST_CASE("triangle: no ray passes between neighbours of a fan, however thin") {
         rim.push_back(hub + V(std::cos(angle), std::sin(angle), 0.2 * std::sin(3 * angle)));
     }
     for (std::size_t k = 0; k < count; ++k) {
-        fan.push_back(make_triangle<double>({hub, rim[k], rim[(k + 1) % count]}));
+        fan.push_back({{hub, rim[k], rim[(k + 1) % count]}});
     }
     const V eye(0.3, -0.2, 7);
     for (std::size_t k = 0; k < count; ++k) {
@@ -149,5 +152,28 @@ TEST_CASE("triangle: no ray passes between neighbours of a fan, however thin") {
             }
             CHECK(hits >= 1);
         }
+    }
+}
+
+TEST_CASE("polygon: seen from anywhere, a point of a shared edge is in exactly one of two") {
+    // In a slanted plane the two polygons compute their planes, and so t, differently.
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto any = [&] {
+        return Vec3<double>(uniform(random), uniform(random), uniform(random));
+    };
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3<double> a = any(), u = any(), v = any();
+        const Vec3<double> shared[2] = {a, a + u};
+        const std::array<Vec3<double>, 4> above{shared[0], shared[1], a + u + v, a + v};
+        const std::array<Vec3<double>, 4> below{shared[1], shared[0], a - 1.5 * v, a + u - 0.5 * v};
+        const auto one = make_polygon<double>(above, {});
+        const auto other = make_polygon<double>(below, {});
+        const Vec3<double> eye = a + 5.0 * any();
+        const Vec3<double> at = shared[0] + 0.5 * (1 + uniform(random)) * (shared[1] - shared[0]);
+        const Ray<double> ray{eye, UnitVec3<double>::of(at - eye).vec()};
+        CHECK(intersect(one, ray, Start::anywhere).count +
+                  intersect(other, ray, Start::anywhere).count ==
+              1);
     }
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -6,8 +7,9 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr double sun_distance = 0.42;  // of a directional light's arrows, of the diagonal
-constexpr double normal_length = 0.085;
+constexpr double sun_distance = 0.42;    // of a directional light's arrows, of the diagonal
+constexpr double normal_length = 0.085;  // of the diagonal
+constexpr double least_normal = 116, most_normal = 150;  // pixels
 
 class Builder {
   public:
@@ -22,6 +24,9 @@ class Builder {
         }
         if (in_.selected && in_.selected->hit) {
             add_normal(*in_.selected->hit);
+        }
+        if (in_.thing) {
+            mark(*in_.thing);
         }
         return std::move(out_);
     }
@@ -98,9 +103,46 @@ class Builder {
         }
     }
 
+    /// An object by its wires, a light by a ring.
+    void mark(Thing thing) {
+        const Paint paint{in_.palette.selection, 255};
+        if (thing.kind == Thing::Kind::light) {
+            const Point3 at = place_of(in_.document.scene().lights[thing.index], in_.extent);
+            const double pixel = pixel_at(at);
+            const Point3 axis = glm::normalize(in_.view.eye - at);
+            add_ring(out_.solid, at, axis, 14 * pixel, 17 * pixel, paint, 40);
+            return;
+        }
+        if (in_.mesh) {
+            mark_object(thing.index, paint);
+        }
+    }
+
+    void mark_object(std::size_t index, const Paint& paint) {
+        const auto found = std::ranges::find(in_.mesh->objects, index, &ObjectFaces::object);
+        if (found == in_.mesh->objects.end()) {
+            return;
+        }
+        const Lines& wires = in_.mesh->wires;
+        const auto point = [&](std::size_t segment_end) {
+            const auto k = static_cast<std::size_t>(3 * wires.segments[segment_end]);
+            return Point3(wires.points[k], wires.points[k + 1], wires.points[k + 2]);
+        };
+        // As firm as the wires are; many of them cover what they are to mark.
+        const double share = found->wires > 600 ? 0.5 : 1.6;
+        const auto firmness = [&](std::size_t segment_end) {
+            const auto k = static_cast<std::size_t>(4 * wires.segments[segment_end] + 3);
+            const double alpha = std::min(255.0, share * wires.colours[k]);
+            return Paint{paint.ink, static_cast<std::uint8_t>(alpha)};
+        };
+        for (std::size_t k = found->first_wire; k < found->first_wire + found->wires; ++k) {
+            out_.lines.add(point(2 * k), firmness(2 * k), point(2 * k + 1), firmness(2 * k + 1));
+        }
+    }
+
     void add_normal(const TreeHit<double>& hit) {
         const Paint paint{in_.palette.text, 255};
-        const Point3 tip = normal_tip(hit, in_.extent);
+        const Point3 tip = normal_tip(hit, in_.extent, in_.view);
         const double pixel = pixel_at(hit.point);
         const Point3 way = glm::normalize(tip - hit.point);
         const Point3 neck = tip - way * (9 * pixel);
@@ -128,8 +170,10 @@ Point3 place_of(const Light& light, const Extent& extent) {
     return middle - glm::normalize(direction) * (sun_distance * extent.diagonal);
 }
 
-Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent) {
-    return hit.point + hit.normal * (normal_length * extent.diagonal);
+Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent, const View& view) {
+    const double pixels = length_per_pixel(view, hit.point);
+    const double length = std::max(normal_length * extent.diagonal, least_normal * pixels);
+    return hit.point + hit.normal * std::min(length, most_normal * pixels);
 }
 
 }  // namespace raytree::inspector

@@ -45,6 +45,9 @@ class Builder {
   private:
     /// As belongs_to, without the walk upwards for every ray.
     bool belongs(std::size_t ray) const {
+        if (!in_.set_aside.empty()) {
+            return !in_.set_aside[ray];
+        }
         return in_.selected == 0 || ray == in_.selected ||
                in_.tree.tree.rays[ray].parent == in_.selected ||
                std::ranges::binary_search(ancestors_, ray);

@@ -2,6 +2,7 @@
 
 #include "drawing/mesh.h"
 #include "drawing/ray_paths.h"
+#include "drawing/scene_mesh.h"
 
 namespace raytree::inspector {
 
@@ -24,11 +25,14 @@ struct RayMeshInput {
     const Extent& extent;
     const View& view;
     const Palette& palette;
+    /// Of each ray of the tree, whether it is faded; empty: those that do not belong to the
+    /// selected one are.
+    const std::vector<bool>& set_aside = {};
 };
 RayMeshes ray_meshes(const RayMeshInput& input);
 
-/// The eye, the lights, the frustum with the frame of the picture, the chosen pixel on it, and the
-/// hit and the normal of the selected ray.
+/// The eye, the lights, the frustum with the frame of the picture, the chosen pixel on it, the
+/// normal at the selected ray's hit, and a mark on the selected object or light.
 struct Landmarks {
     Mesh solid;
     Lines lines;
@@ -40,12 +44,14 @@ struct LandmarkInput {
     const Extent& extent;
     const View& view;
     const Palette& palette;
+    std::optional<Thing> thing = std::nullopt;
+    const SceneMesh* mesh = nullptr;  ///< there where an object is selected
 };
 Landmarks landmarks(const LandmarkInput& input);
 
 /// Where a light's mark stands; far ones are drawn in to the edge of the scene.
 Point3 place_of(const Light& light, const Extent& extent);
 /// The tip of the normal that is drawn at a hit.
-Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent);
+Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent, const View& view);
 
 }  // namespace raytree::inspector

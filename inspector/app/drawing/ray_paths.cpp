@@ -12,14 +12,8 @@ constexpr double escaped_length = 0.25;
 /// A light farther away than this is not drawn at its place; rays to it fade like escaped ones.
 constexpr double far_away = 3;
 
-/// A shadow ray weighs what the ray does from whose hit it goes out.
-double drawn_weight(const PixelTree& tree, const TreeRay<double>& ray) {
-    const TreeRay<double>& bearer = ray.shadow ? tree.tree.rays[*ray.parent] : ray;
-    return std::clamp(largest_component(bearer.weight), 0.0, 1.0);
-}
-
 RayPath shadow_path(const PixelTree& tree, const TreeRay<double>& ray, const Extent& extent) {
-    RayPath path{ray.id, look_of(ray), ray.origin, {}, drawn_weight(tree, ray), RayPath::End::light,
+    RayPath path{ray.id, look_of(ray), ray.origin, {}, weight_of(tree, ray), RayPath::End::light,
                  false};
     double length = 0;
     if (ray.shadow->blocked_by) {
@@ -39,7 +33,7 @@ RayPath path_of(const PixelTree& tree, const TreeRay<double>& ray, const Extent&
     if (ray.shadow) {
         return shadow_path(tree, ray, extent);
     }
-    RayPath path{ray.id, look_of(ray), ray.origin, {}, drawn_weight(tree, ray), RayPath::End::hit,
+    RayPath path{ray.id, look_of(ray), ray.origin, {}, weight_of(tree, ray), RayPath::End::hit,
                  false};
     if (ray.hit) {
         path.to = ray.hit->point;
@@ -84,17 +78,17 @@ std::optional<std::pair<ScreenPoint, ScreenPoint>> on_screen(const RayPath& path
 
 }  // namespace
 
-std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent,
-                               const std::set<RayKind>& hidden, std::size_t most) {
+std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, const RayFilter& filter,
+                               std::size_t most) {
     std::vector<const TreeRay<double>*> rays;
     for (const TreeRay<double>& ray : tree.tree.rays) {
-        if (!hidden.contains(ray.kind)) {
+        if (filter.empty() || shown(filter, tree, ray) != Shown::hidden) {
             rays.push_back(&ray);
         }
     }
     if (rays.size() > most) {
         const auto heavier = [&](const TreeRay<double>* a, const TreeRay<double>* b) {
-            const double x = drawn_weight(tree, *a), y = drawn_weight(tree, *b);
+            const double x = weight_of(tree, *a), y = weight_of(tree, *b);
             return x != y ? x > y : a->id < b->id;
         };
         std::nth_element(rays.begin(), rays.begin() + static_cast<std::ptrdiff_t>(most), rays.end(),

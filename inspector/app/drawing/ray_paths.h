@@ -27,9 +27,10 @@ struct RayPath {
     bool dashed() const { return look == RayLook::lit || look == RayLook::blocked; }
 };
 
-/// The rays of a tree as they are drawn, at most `most` of them: then those that weigh most.
-std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent,
-                               const std::set<RayKind>& hidden, std::size_t most = 100'000);
+/// The rays of a tree that are not hidden as they are drawn, at most `most` of them: then those
+/// that weigh most.
+std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, const RayFilter& filter,
+                               std::size_t most = 100'000);
 
 /// The path that is drawn nearest to a place on the screen, if one is within `reach` pixels.
 std::optional<std::size_t> path_at(const std::vector<RayPath>& paths, const View& view, double x,

@@ -14,6 +14,7 @@ namespace raytree::inspector {
 namespace {
 
 constexpr double triangle_budget = 250'000;
+constexpr double most_slices = 90;  // of a round shape
 
 /// See SceneMesh. `firmness` from 0 to 1.
 std::uint8_t alpha_of(double firmness, bool flat) {
@@ -46,8 +47,11 @@ Coat coat_of(const Material& material) {
 
 class Builder {
   public:
-    Builder(const Document& document, const Extent& extent)
-        : scene_(document.scene()), extent_(extent), room_(extent.seen.grown(extent.diagonal)) {
+    Builder(const Document& document, const Extent& extent, double pixel)
+        : scene_(document.scene()),
+          extent_(extent),
+          pixel_(pixel),
+          room_(extent.seen.grown(extent.diagonal)) {
         choose_resolution();
     }
 
@@ -78,8 +82,10 @@ class Builder {
         } else {
             return 0;
         }
-        const double size = object.transform ? 0.1 : std::min(radius / extent_.diagonal, 0.25);
-        return std::max(8, static_cast<int>(finer_ * (12 + 120 * std::sqrt(size))));
+        // A chord leaves its arc by no more than a quarter of a pixel: r (1 - cos(pi / n)).
+        const double pixels = (object.transform ? 0.1 * extent_.diagonal : radius) / pixel_;
+        const double wanted = std::clamp(4.5 * std::sqrt(pixels), 6.0, most_slices);
+        return std::max(6, static_cast<int>(finer_ * wanted));
     }
 
     void add(const Object& object) {
@@ -93,10 +99,13 @@ class Builder {
         paint_ = {coat.ink, alpha_of(firmness_, flat)};
         line_ = {mixed(paint_.ink, Ink(0x5A6673), 0.55), 150};
         ObjectFaces faces;
+        faces.object = static_cast<std::size_t>(&object - scene_.objects.data());
         faces.first = mesh_.faces.triangle_count();
+        faces.first_wire = mesh_.wires.segments.size() / 2;
         const std::size_t first_point = mesh_.faces.points.size();
         std::visit([&](const auto& shape) { add_shape(shape, slices_of(object)); }, object.shape);
         faces.count = mesh_.faces.triangle_count() - faces.first;
+        faces.wires = mesh_.wires.segments.size() / 2 - faces.first_wire;
         if (faces.count == 0) {
             return;
         }
@@ -129,8 +138,9 @@ class Builder {
     }
 
     /// A grid of facets over (0..columns, 0..rows), closed along its columns. `at` gives the point
-    /// and the normal of a corner.
-    template <class At> void add_surface(int columns, int rows, int wire_every, At at) {
+    /// and the normal of a corner. Where the first and the last row are single points (`poles`),
+    /// facets without an area are left out.
+    template <class At> void add_surface(int columns, int rows, int wire_every, bool poles, At at) {
         const auto first = static_cast<std::int32_t>(mesh_.faces.points.size() / 3);
         for (int row = 0; row <= rows; ++row) {
             for (int column = 0; column < columns; ++column) {
@@ -145,8 +155,12 @@ class Builder {
             for (int column = 0; column < columns; ++column) {
                 const std::int32_t a = corner(column, row), b = corner(column + 1, row);
                 const std::int32_t c = corner(column + 1, row + 1), d = corner(column, row + 1);
-                mesh_.faces.add_triangle(a, b, c);
-                mesh_.faces.add_triangle(a, c, d);
+                if (!poles || row > 0) {
+                    mesh_.faces.add_triangle(a, b, c);
+                }
+                if (!poles || row + 1 < rows) {
+                    mesh_.faces.add_triangle(a, c, d);
+                }
             }
         }
         add_wires(first, columns, rows, wire_every);
@@ -175,8 +189,8 @@ class Builder {
     }
 
     void add_shape(const Sphere& sphere, int slices) {
-        const int stacks = std::max(4, slices / 2);
-        add_surface(slices, stacks, std::max(1, slices / 12), [&](int column, int row) {
+        const int stacks = std::max(3, slices / 2);
+        add_surface(slices, stacks, std::max(1, slices / 12), true, [&](int column, int row) {
             const double around = 2 * std::numbers::pi * column / slices;
             const double polar = std::numbers::pi * row / stacks;
             const Point3 out(std::sin(polar) * std::cos(around), std::cos(polar),
@@ -191,7 +205,7 @@ class Builder {
         const Point3 axis = way / height;
         const Across axes = across(axis);
         const double slope = (cone.base_radius - cone.apex_radius) / height;
-        add_surface(slices, 1, std::max(1, slices / 12), [&](int column, int row) {
+        add_surface(slices, 1, std::max(1, slices / 12), false, [&](int column, int row) {
             const double around = 2 * std::numbers::pi * column / slices;
             const Point3 out = std::cos(around) * axes.u + std::sin(around) * axes.v;
             const Point3 middle = row == 0 ? cone.base : cone.apex;
@@ -242,12 +256,21 @@ class Builder {
         mesh_.faces.add_triangle(first, first + 1, add(c));
     }
 
+    void add_wire(const Point3& a, const Point3& b) {
+        const auto paint = [&](const Point3& p) {
+            return Paint{line_.ink, static_cast<std::uint8_t>(line_.alpha * fade_at(p))};
+        };
+        mesh_.wires.add(a, paint(a), b, paint(b));
+    }
+
     /// Halves the longest side until the facets are small enough to follow the fading.
     void add_fading(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
         const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
         if (std::max({ab, bc, ca}) <= 0.09 * extent_.diagonal) {
             if (fade_at(a) + fade_at(b) + fade_at(c) > 0) {
                 add_triangle(a, b, c, n);
+                add_wire(a, b);
+                add_wire(b, c);
             }
         } else if (ab >= bc && ab >= ca) {
             add_fading(a, (a + b) * 0.5, c, n);
@@ -287,6 +310,7 @@ class Builder {
 
     const Scene& scene_;
     const Extent& extent_;
+    double pixel_;
     Span3 room_;
     double finer_ = 1;
     SceneMesh mesh_;
@@ -297,8 +321,13 @@ class Builder {
 
 }  // namespace
 
-SceneMesh scene_mesh(const Document& document, const Extent& extent) {
-    return Builder(document, extent).build();
+SceneMesh scene_mesh(const Document& document, const Extent& extent, double pixel) {
+    return Builder(document, extent, pixel).build();
+}
+
+double mesh_pixel(const Extent& extent, const View& view) {
+    const double pixels = extent.diagonal / length_per_pixel(view, extent.seen.centre());
+    return extent.diagonal / std::exp2(std::ceil(std::log2(std::clamp(pixels, 64.0, 65536.0))));
 }
 
 }  // namespace raytree::inspector

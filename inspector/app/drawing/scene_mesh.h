@@ -8,16 +8,19 @@
 
 namespace raytree::inspector {
 
-/// The triangles of one object within SceneMesh::faces.
+/// The triangles of one object within SceneMesh::faces, and its segments within SceneMesh::wires.
 struct ObjectFaces {
-    std::size_t first = 0;  ///< of the triangles
+    std::size_t object = 0;  ///< its place in Scene::objects
+    std::size_t first = 0;   ///< of the triangles
     std::size_t count = 0;
+    std::size_t first_wire = 0;
+    std::size_t wires = 0;
     Point3 centre{0, 0, 0};
     bool flat = false;       ///< a polygon that is large beside the rest
     Point3 normal{0, 0, 0};  ///< of a flat one
 };
 
-/// A scene's shapes as they stand in the 3D view, built once for each scene. The alpha of a colour
+/// A scene's shapes as they stand in the 3D view. The alpha of a colour
 /// tells how firm a shape is where it is looked at straight on: from 0 to 127 that of a round
 /// shape, which gets firmer towards its rim, from 128 to 255 that of a flat one, which does not.
 struct SceneMesh {
@@ -27,7 +30,12 @@ struct SceneMesh {
     std::vector<ObjectFaces> objects;
 };
 
-SceneMesh scene_mesh(const Document& document, const Extent& extent);
+/// Round shapes have as many facets as they need where a pixel is `pixel` long.
+SceneMesh scene_mesh(const Document& document, const Extent& extent, double pixel);
+
+/// The length of a pixel in the middle of the scene, rounded to a power of two of the diagonal: the
+/// mesh need not be made anew for each view.
+double mesh_pixel(const Extent& extent, const View& view);
 
 /// The triangles in an order in which see-through objects may be drawn, the farthest first.
 std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,

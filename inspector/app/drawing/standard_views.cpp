@@ -67,6 +67,22 @@ View side_view(const Document& document, const Extent& extent, const std::vector
     return fitted_above_legend(view, side_points(document, extent, paths));
 }
 
+View hit_view(const TreeRay<double>& ray, const Extent& extent, const View& now) {
+    constexpr double half_height = 0.22;  // of the diagonal
+    const Point3 d = ray.direction;
+    const Point3 normal = glm::dot(ray.hit->normal, d) > 0 ? -ray.hit->normal : ray.hit->normal;
+    const Point3 sideways = d - glm::dot(d, normal) * normal;
+    const double length = glm::length(sideways);
+    const Point3 forward = length > 1e-9 ? glm::cross(normal, sideways / length) : across(normal).u;
+    View view = now;
+    view.fov_degrees = fov;
+    view.up = normal;
+    view.target = ray.hit->point;
+    view.eye = view.target -
+               forward * (half_height * extent.diagonal / std::tan(fov * std::numbers::pi / 360));
+    return view;
+}
+
 /// Fitted into a view that is lower by the legend, which is then put back at its lower edge.
 View fitted_above_legend(const View& now, std::span<const Point3> points, double margin) {
     const int strip = std::min(legend, now.height / 6);

@@ -16,6 +16,10 @@ View camera_view(const Document& document, const Extent& extent, const View& now
 View side_view(const Document& document, const Extent& extent, const std::vector<RayPath>& paths,
                const View& now);
 
+/// Straight onto the plane of incidence at a hit, its surface level and its normal upright: the ray
+/// comes from the left, as the lecture draws it.
+View hit_view(const TreeRay<double>& ray, const Extent& extent, const View& now);
+
 /// In the direction of `now`, such that the points fill the screen above the legend.
 View fitted_above_legend(const View& now, std::span<const Point3> points, double margin = 0.08);
 

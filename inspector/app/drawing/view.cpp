@@ -43,6 +43,13 @@ std::optional<ScreenPoint> project(const View& view, const Point3& p) {
                        view.height / 2.0 - glm::dot(to, axes.up) * scale, depth};
 }
 
+Point3 direction_through(const View& view, double x, double y) {
+    const ViewAxes axes = axes_of(view);
+    const double pixel = 2 * half_height(view) / view.height;  // at distance 1
+    return glm::normalize(axes.forward + axes.right * ((x - view.width / 2.0) * pixel) -
+                          axes.up * ((y - view.height / 2.0) * pixel));
+}
+
 double length_per_pixel(const View& view, const Point3& p) {
     const Point3 sight = view.target - view.eye;
     const double distance = glm::length(sight);

@@ -35,6 +35,9 @@ struct ScreenPoint {
 /// None behind the viewer.
 std::optional<ScreenPoint> project(const View& view, const Point3& p);
 
+/// The unit direction from the eye through a place on the screen.
+Point3 direction_through(const View& view, double x, double y);
+
 /// How long a pixel is at a point: what is that long there is one pixel long on the screen.
 double length_per_pixel(const View& view, const Point3& p);
 

@@ -19,7 +19,11 @@ std::span<const Command> pixel_commands();
 std::span<const Command> overlay_commands();
 std::span<const Command> ray_commands();
 std::span<const Command> view_commands();
+std::span<const Command> filter_commands();
+std::span<const Command> thing_commands();
+std::span<const Command> table_commands();
 std::span<const Command> tree_commands();
+std::span<const Command> lesson_commands();
 std::span<const Command> help_commands();
 
 }  // namespace raytree::inspector

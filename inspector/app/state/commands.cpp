@@ -9,8 +9,9 @@ namespace {
 
 /// In the order of the menus.
 std::span<const Command> (*const groups[])() = {
-    file_commands, export_commands, pixel_commands, overlay_commands,
-    ray_commands,  view_commands,   tree_commands,  help_commands,
+    file_commands, export_commands, pixel_commands,  overlay_commands,
+    ray_commands,  thing_commands,  view_commands,   filter_commands,
+    tree_commands, table_commands,  lesson_commands, help_commands,
 };
 
 std::vector<Command> joined() {

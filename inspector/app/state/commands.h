@@ -16,7 +16,8 @@ enum class Argument {
     file,      ///< a scene or a tree; the window asks for it
     new_file,  ///< to be written; the window asks for it
     pixel,     ///< I,J
-    ray        ///< a ray's number
+    ray,       ///< a ray's number
+    text       ///< as the command's help says
 };
 
 struct Command {

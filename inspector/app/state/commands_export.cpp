@@ -13,6 +13,11 @@ template <Request request> void write(State& state, std::string_view file) {
     state.request(request, std::string(file));
 }
 
+void write_view(State& state, std::string_view file_and_size) {
+    expect_writable(state, view_export_from(std::string(file_and_size)).file);
+    state.request(Request::export_view, std::string(file_and_size));
+}
+
 constexpr Command writes_file(std::string_view id, std::string_view title, std::string_view keys,
                               std::string_view help, void (*run)(State&, std::string_view),
                               bool (*possible)(const State&), std::string_view suffixes,
@@ -41,6 +46,9 @@ constexpr Command table[] = {
     writes_file("export.picture", "Picture…", "",
                 "Renders the picture and writes it: .png or .ppm, or .pfm with unclamped numbers.",
                 write<Request::export_picture>, has_scene, "png ppm pfm", true),
+    writes_file("export.view", "3D view as an image…", "",
+                "Writes the 3D view as an image (.png) of any size, such as: view.png 3840x2160.",
+                write_view, has_scene, "png"),
     writes_file("export.window", "Window as an image…", "", "Writes the window as it is (.png).",
                 write<Request::export_window>, has_scene, "png"),
     writes_file("export.scene", "Scene…", "Ctrl+S",

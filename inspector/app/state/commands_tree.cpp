@@ -5,7 +5,9 @@ namespace raytree::inspector {
 namespace {
 
 template <TreePane::Tab tab> void show_tab(State& state, std::string_view) {
-    state.change_tree_pane({tab, state.tree_pane().fold_below});
+    TreePane pane = state.tree_pane();
+    pane.tab = tab;
+    state.change_tree_pane(pane);
 }
 template <TreePane::Tab tab> bool tab_is_shown(const State& state) {
     return state.tree_pane().tab == tab;
@@ -16,12 +18,13 @@ template <TreePane::Tab tab> bool tab_is_shown_of_tree(const State& state) {
 
 using Fold = std::optional<double> (*)(const PixelTree&, double);
 template <Fold fold> void change_fold(State& state, std::string_view) {
-    const TreePane& pane = state.tree_pane();
-    state.change_tree_pane({pane.tab, *fold(*state.tree(), pane.fold_below)});
+    TreePane pane = state.tree_pane();
+    pane.fold_below = fold(*state.tree(), fold_of(*state.tree(), pane));
+    state.change_tree_pane(pane);
 }
 template <Fold fold> bool can_fold(const State& state) {
     return tab_is_shown_of_tree<TreePane::Tab::diagram>(state) &&
-           fold(*state.tree(), state.tree_pane().fold_below);
+           fold(*state.tree(), fold_of(*state.tree(), state.tree_pane()));
 }
 
 constexpr Command table[] = {

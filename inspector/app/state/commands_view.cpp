@@ -12,19 +12,21 @@ template <ShapeStyle style> bool shapes_are(const State& state) {
 
 template <RayKind kind> void switch_kind(State& state, std::string_view) {
     state.change_look([](Look& look) {
-        if (look.hidden.erase(kind) == 0) {
-            look.hidden.insert(kind);
-        }
+        const RayGroup group = group_of(kind);
+        look.filter.set(group,
+                        look.filter.of(group) == Shown::hidden ? Shown::full : Shown::hidden);
     });
 }
 template <RayKind kind> bool kind_is_shown(const State& state) {
-    return !state.look().hidden.contains(kind);
+    return state.look().filter.of(group_of(kind)) != Shown::hidden;
 }
 
 template <bool Look::*field> void flip(State& state, std::string_view) {
     state.change_look([](Look& look) { look.*field = !(look.*field); });
 }
 template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
+
+bool has_hit(const State& state) { return state.tree() && state.selected()->hit; }
 
 void switch_theme(State& state, std::string_view) {
     state.change_look(
@@ -39,11 +41,15 @@ constexpr Command table[] = {
     {"view.side", "View", "From the side", "2",
      "Looks from the side at the eye, the picture and the rays.", none, ask<Request::from_side>,
      has_scene, nullptr, "Side"},
+    {"view.hit", "View", "Onto the selected hit", "3",
+     "Looks straight onto the plane of incidence at the selected ray's hit: angles are as they "
+     "are.",
+     none, ask<Request::onto_hit>, has_hit},
     {"view.fit_tree", "View", "Fit the tree", "F", "Moves so that the whole tree fills the view.",
      none, ask<Request::fit_tree>, has_tree, nullptr, "Fit tree"},
-    {"view.fit_ray", "View", "Fit the selected ray", "R",
-     "Moves so that the selected ray and its hit fill the view.", none, ask<Request::fit_ray>,
-     has_tree, nullptr, "Fit ray"},
+    {"view.fit_selection", "View", "Fit the selection", "R",
+     "Moves so that the selected ray and its hit, or the selected object or light, fill the view.",
+     none, ask<Request::fit_selection>, has_scene, nullptr, "Fit"},
     {"shapes.see_through",
      "View",
      "See-through shapes",
@@ -68,8 +74,11 @@ constexpr Command table[] = {
      "Shows or hides refracted rays in the 3D view.", none, switch_kind<RayKind::refracted>,
      nullptr, kind_is_shown<RayKind::refracted>},
     {"show.ghosts", "View", "Rays that were not sent", "G",
-     "Shows or hides skipped rays, with their reasons, in the outline.", none, flip<&Look::ghosts>,
-     nullptr, is_on<&Look::ghosts>, "Not sent"},
+     "Shows or hides skipped rays, with their reasons, in the outline and at the selected hit.",
+     none, flip<&Look::ghosts>, nullptr, is_on<&Look::ghosts>, "Not sent"},
+    {"show.angles", "View", "Angles at the selected hit", "A",
+     "Shows or hides the angles at the selected ray's hit, from the normal in degrees.", none,
+     flip<&Look::angles>, nullptr, is_on<&Look::angles>},
     {"show.names", "View", "Names in the 3D view", "L",
      "Shows or hides the names of the eye, lights and shapes in the 3D view.", none,
      flip<&Look::names>, nullptr, is_on<&Look::names>},

@@ -13,7 +13,7 @@ using Row = DetailRow;
 using Weight = DetailRow::Weight;
 
 Row number(std::string label, double value, Weight weight = Weight::normal) {
-    return {std::move(label), aligned(std::array{value}), weight, false, {}};
+    return {std::move(label), aligned(std::array{value}), weight, false, {}, {value}};
 }
 
 Row text(std::string label, std::string words) {
@@ -54,7 +54,8 @@ DetailSection section_of(const PolygonDerivation& polygon) {
     DetailSection section{"How the hit was found: polygon", {}, {}};
     auto& rows = section.rows;
     rows.push_back({"", {"x", "y", "z"}, Weight::faint, false, {}});
-    rows.push_back({"plane's n", aligned(polygon.normal), Weight::normal, false, {}});
+    const Vec3<double>& n = polygon.normal;
+    rows.push_back({"plane's n", aligned(n), Weight::normal, false, {}, {n.x, n.y, n.z}});
     rows.push_back(number("n·x = D", polygon.offset));
     rows.push_back(number("n·o", polygon.start));
     rows.push_back(number("n·d", polygon.speed));
@@ -66,6 +67,55 @@ DetailSection section_of(const PolygonDerivation& polygon) {
     const bool odd = polygon.crossings % 2 == 1;
     rows.push_back(text("crossings", std::to_string(polygon.crossings) +
                                          (odd ? ", odd: inside" : ", even: on an edge")));
+    section.sentences.push_back(
+        "A plane gives one t; it counts as it is above 0 and the point lies inside the outline.");
+    return section;
+}
+
+std::string cone_sentence(const ConeDerivation& cone, bool starts_on_it) {
+    if (cone.taken == 0) {
+        return "The smaller root is taken: the ray comes to it first, and 0 ≤ z ≤ h.";
+    }
+    if (starts_on_it) {
+        return "t2 is taken: t1 is where the ray starts, on this very surface, and 0 but for "
+               "rounding.";
+    }
+    if (cone.roots[0] <= 0) {
+        return "t2 is taken: t1 is not above 0, so it lies behind the ray's start.";
+    }
+    return cone.heights[0] < 0 || cone.heights[0] > cone.height
+               ? "t2 is taken: at t1 the ray is beyond an open end, z being less than 0 or more "
+                 "than h."
+               : "t2 is taken: t1 lies before the part of the ray in which hits count.";
+}
+
+DetailSection section_of(const ConeDerivation& cone, bool starts_on_it) {
+    DetailSection section{
+        std::string("How the hit was found: ") + (cone.slope == 0 ? "cylinder" : "cone"), {}, {}};
+    auto& rows = section.rows;
+    rows.push_back(number("radius r at z = 0", cone.radius));
+    if (cone.slope != 0) {
+        rows.push_back(number("slope m", cone.slope));
+    }
+    rows.push_back(number("height h", cone.height));
+    rows.push_back(number("A", cone.a));
+    rows.push_back(number("B", cone.b));
+    rows.push_back(number("C", cone.c));
+    rows.push_back(number("B² − 4AC", cone.discriminant));
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (std::isfinite(cone.roots[k])) {
+            const Weight weight =
+                cone.taken == static_cast<int>(k) ? Weight::strong : Weight::faint;
+            const std::string name = std::to_string(k + 1);
+            rows.push_back(number("t" + name, cone.roots[k], weight));
+            rows.push_back(number("z at t" + name, cone.heights[k], Weight::faint));
+        }
+    }
+    section.sentences.push_back(
+        cone.slope == 0
+            ? "|o + t d − base|² across the axis = r², z being the height along it."
+            : "|o + t d − base|² across the axis = (r + m z)², z being the height along it.");
+    section.sentences.push_back(cone_sentence(cone, starts_on_it));
     return section;
 }
 
@@ -104,6 +154,8 @@ std::vector<DetailSection> derivation_details(const Derivation& derivation) {
         sections.push_back(section_of(*sphere, derivation.starts_on_it));
     } else if (const auto* polygon = std::get_if<PolygonDerivation>(&derivation.how)) {
         sections.push_back(section_of(*polygon));
+    } else if (const auto* cone = std::get_if<ConeDerivation>(&derivation.how)) {
+        sections.push_back(section_of(*cone, derivation.starts_on_it));
     }
     if (!sections.empty() && derivation.own_space) {
         sections.back().sentences.push_back(

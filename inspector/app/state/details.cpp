@@ -17,11 +17,14 @@ Row text_row(std::string label, std::string text) {
 }
 
 Row number_row(std::string label, double value) {
-    return {std::move(label), aligned(std::array{value}), Weight::normal, false, {}};
+    return {std::move(label), aligned(std::array{value}), Weight::normal, false, {}, {value}};
 }
 
+std::vector<double> values_of(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+std::vector<double> values_of(const Rgb<double>& c) { return {c.r, c.g, c.b}; }
+
 template <class Triple> Row triple_row(std::string label, const Triple& triple) {
-    return {std::move(label), aligned(triple), Weight::normal, false, {}};
+    return {std::move(label), aligned(triple), Weight::normal, false, {}, values_of(triple)};
 }
 
 Row heading_row(std::vector<std::string> cells) {
@@ -90,14 +93,15 @@ void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay
     const Rgb<double>& coefficient = reflected ? ray.hit->kr : ray.hit->kt;
     const Rgb<double> share = child.attenuation * (coefficient * child.intensity);
     rows.push_back(triple_row("+ " + k + "·f·" + i, share));
-    const auto faint = [&](const std::string& label, std::vector<std::string> cells) {
-        rows.push_back({"   " + label, std::move(cells), Weight::faint, false, {}});
+    const auto faint = [&](const std::string& label, const Rgb<double>& triple) {
+        rows.push_back(triple_row("   " + label, triple));
+        rows.back().weight = Weight::faint;
     };
-    faint(k, aligned(coefficient));
+    faint(k, coefficient);
     if (tree.tree.settings.attenuation != Attenuation{}) {
-        faint("f", aligned(Rgb<double>(child.attenuation)));
+        faint("f", Rgb<double>(child.attenuation));
     }
-    faint(i + " of " + reference(child.id), aligned(child.intensity));
+    faint(i + " of " + reference(child.id), child.intensity);
 }
 
 DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {

@@ -18,6 +18,8 @@ struct DetailRow {
     Weight weight = Weight::normal;
     bool is_text = false;  ///< the cell is words, not a number
     std::optional<Rgb<double>> swatch;
+    std::vector<double> values = {};     ///< of the cells that are numbers, with every digit
+    std::vector<std::size_t> rays = {};  ///< of each text cell: the ray that it names
 };
 
 struct DetailSection {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace raytree::inspector {
@@ -65,6 +66,32 @@ double fold_of(const PixelTree& tree, double wish) {
         }
     }
     return steps.back();
+}
+
+/// The smallest share with which the diagram is no wider than the room, or as narrow as it gets
+/// without folding all of it.
+double fold_of(const PixelTree& tree, const TreePane& pane) {
+    constexpr double narrowest_box = 30;
+    if (pane.fold_below || pane.room <= 0) {
+        return fold_of(tree, pane.fold_below.value_or(0));
+    }
+    double best = fold_of(tree, 0.0), least = std::numeric_limits<double>::infinity();
+    for (const double step : steps) {
+        const auto boxes = static_cast<double>(box_count(tree, step));
+        const bool hopeless = boxes * narrowest_box > 40 * pane.room;  // spares its layout
+        if (step < fold_of(tree, 0.0) || std::isinf(step) || hopeless) {
+            continue;
+        }
+        const double width = diagram_of(tree.tree, step).width;
+        if (width < least) {
+            least = width;
+            best = step;
+        }
+        if (width <= pane.room) {
+            return step;
+        }
+    }
+    return best;
 }
 
 std::optional<double> fold_more(const PixelTree& tree, double wish) {

@@ -1,6 +1,7 @@
 #include "state/exports.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "formats/image.h"
 #include "formats/output_file.h"
@@ -90,6 +91,26 @@ void expect_picture(const State& state, const std::string& file) {
         throw InputError(file, "", "a picture's name ends in .png, .ppm or .pfm");
     }
     expect_writable(state, file);
+}
+
+ViewExport view_export_from(const std::string& text) {
+    constexpr int least = 64, most = 8192;
+    ViewExport wish{text, std::nullopt};
+    std::smatch parts;
+    if (std::regex_match(text, parts, std::regex("(.*) ([0-9]{1,6})x([0-9]{1,6})"))) {
+        wish.file = parts[1];
+        wish.size = {std::stoi(parts[2]), std::stoi(parts[3])};
+        if (std::min(wish.size->first, wish.size->second) < least ||
+            std::max(wish.size->first, wish.size->second) > most) {
+            throw InputError(wish.file, "",
+                             "an image of the 3D view is 64 to 8192 pixels wide and high; found " +
+                                 parts[2].str() + "x" + parts[3].str());
+        }
+    }
+    if (extension_of(wish.file) != ".png") {
+        throw InputError(wish.file, "", "the 3D view is written as .png");
+    }
+    return wish;
 }
 
 std::string suggested_name(const State& state, const Command& command) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "trace/render.h"
 
@@ -23,6 +25,14 @@ void export_picture(State& state, const Picture& picture, const std::string& fil
 void expect_writable(const State& state, const std::string& file);
 /// The same, and where its extension is not a picture's.
 void expect_picture(const State& state, const std::string& file);
+
+/// The 3D view as an image: "view.png 3840x2160"; without a size that of the pane.
+struct ViewExport {
+    std::string file;
+    std::optional<std::pair<int, int>> size;  ///< width and height, pixels
+};
+/// Throws InputError for a size outside 64 to 8192, and for a name that does not end in .png.
+ViewExport view_export_from(const std::string& text);
 
 /// "glass-ball-210-286.json": what a new file is called unless its name is changed.
 std::string suggested_name(const State& state, const Command& command);

@@ -58,6 +58,19 @@ std::string rgb_text(const Rgb<double>& c) {
     return text;
 }
 
+std::string exact(double value) {
+    std::array<char, 32> buffer;
+    return {buffer.data(), std::to_chars(buffer.begin(), buffer.end(), value).ptr};
+}
+
+std::string exact(std::span<const double> values) {
+    std::string text;
+    for (const double value : values) {
+        text += (text.empty() ? "" : " ") + exact(value);
+    }
+    return text;
+}
+
 std::string grouped(double count) {
     if (!(count < 1e15)) {
         return number_text(count);

@@ -20,6 +20,11 @@ std::vector<std::string> aligned(const Rgb<double>& c, int digits = 6);
 /// "0.274  0.341  0.460": three decimals, for lists.
 std::string rgb_text(const Rgb<double>& c);
 
+/// The shortest text that is this very double when it is read again: 17 digits at most. Of several,
+/// divided by blanks.
+std::string exact(double value);
+std::string exact(std::span<const double> values);
+
 /// 1234567 -> "1,234,567"
 std::string grouped(double count);
 

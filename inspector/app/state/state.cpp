@@ -14,6 +14,9 @@ void State::show(const Opened& opened) {
     document_ = opened.document;
     pixel_ = opened.pixel ? *opened.pixel : start_pixel(*document_);
     history_.begin(pixel_);
+    if (thing_ && !exists(document_->scene(), *thing_)) {
+        thing_.reset();
+    }
     message_.clear();
     for (const std::string& note : opened.notes) {
         message_ += (message_.empty() ? "" : "  ") + note;
@@ -35,6 +38,7 @@ void State::pick(Pixel pixel, Pick how) {
         history_.add(pixel, how);
     }
     choose(pixel);
+    answer_by_pixel();
 }
 
 void State::go_back(int by) {
@@ -86,9 +90,18 @@ void State::poll(std::chrono::milliseconds patience) {
 }
 
 void State::select(std::size_t ray) {
-    if (tree_ && ray < tree_->tree.rays.size() && ray != selected_) {
+    if (tree_ && ray < tree_->tree.rays.size() && (ray != selected_ || thing_)) {
         selected_ = ray;
+        thing_.reset();
         tell({.selection = true});
+    }
+}
+
+void State::select(std::optional<Thing> thing) {
+    if (document_ && thing_ != thing && (!thing || exists(document_->scene(), *thing))) {
+        thing_ = thing;
+        tell({.selection = true});
+        answer_by_ray();
     }
 }
 
@@ -97,8 +110,13 @@ void State::change_look(const std::function<void(Look&)>& change) {
     tell({.look = true});
 }
 
-void State::request(Request request, std::string file) {
-    tell({.request = request, .file = std::move(file)});
+void State::request(Request request, std::string text) {
+    tell({.request = request, .text = std::move(text)});
+}
+
+void State::change_table(const Table& table) {
+    table_ = table;
+    tell({.table = true});
 }
 
 void State::change_tree_pane(const TreePane& tree_pane) {

@@ -3,13 +3,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "state/document.h"
+#include "state/explained.h"
 #include "state/history.h"
+#include "state/lesson_run.h"
 #include "state/palette.h"
+#include "state/ray_filter.h"
+#include "state/table.h"
+#include "state/thing.h"
 #include "state/tree_worker.h"
 #include "trace/render.h"
 
@@ -22,30 +26,44 @@ enum class ShapeStyle { see_through, solid, wire };
 struct Look {
     Theme theme = Theme::light;
     ShapeStyle shapes = ShapeStyle::see_through;
-    std::set<RayKind> hidden;        ///< kinds of rays left out of the 3D view
-    bool ghosts = true;              ///< whether the outline has the rays that were not sent
+    RayFilter filter;                ///< of the rays in the 3D view
+    bool ghosts = true;              ///< whether rays that were not sent are shown
+    bool angles = true;              ///< whether those at the selected hit are drawn
     std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
     bool names = true;               ///< whether things in the 3D view bear their names
 };
 
 /// Of the pane that shows the tree in one of three ways.
 struct TreePane {
-    enum class Tab { outline, diagram, counts };
+    enum class Tab { outline, diagram, counts, filter, explained };
     Tab tab = Tab::outline;
-    double fold_below = 0;  ///< the share of the pixel below which the diagram folds branches
+    /// The share of the pixel below which the diagram folds branches; none: as small a one as
+    /// leaves a diagram that can be read at a glance.
+    std::optional<double> fold_below = std::nullopt;
+    double room = 0;  ///< how wide that is, in the diagram's units; 0 where nobody knows
 };
+
+/// What stands in the place for lessons.
+enum class LessonSide { hidden, contents, lesson };
 
 /// What is asked of the views once; nothing of it stays in the state.
 enum class Request {
     through_camera,
     from_side,
+    onto_hit,
     fit_tree,
-    fit_ray,
+    fit_selection,
     fit_picture,
     export_picture,
     export_window,
+    export_view,
     copy_window,
     copy_view,
+    copy_text,
+    copy_number,
+    copy_rows,
+    copy_table,
+    choose_columns,
     fit_diagram,
     diagram_closer,
     diagram_further,
@@ -60,9 +78,14 @@ struct Changes {
     bool selection = false;
     bool look = false;
     bool tree_pane = false;
+    bool table = false;
     bool message = false;
+    bool lesson = false;     ///< the lesson, its step, or what has been answered
+    bool explained = false;  ///< what is shown besides the rays
+    /// From where the 3D view is to look at things.
+    std::optional<lesson::FreeView> view_from = std::nullopt;
     std::optional<Request> request = std::nullopt;
-    std::string file = {};  ///< of a request to write one
+    std::string text = {};  ///< of a request: the file to write, or the text to copy
 };
 
 class State {
@@ -81,7 +104,10 @@ class State {
     /// There whenever a tree is.
     const TreeRay<double>* selected() const;
     const Look& look() const { return look_; }
+    /// The thing that is selected besides the ray, if one is.
+    const std::optional<Thing>& thing() const { return thing_; }
     const TreePane& tree_pane() const { return tree_pane_; }
+    const Table& table() const { return table_; }
     const std::string& message() const { return message_; }
 
     /// Shows the scene and the pixel given, or else its most instructive one. The file's notes
@@ -93,10 +119,14 @@ class State {
     const History& history() const { return history_; }
     /// Chooses the pixel picked before, or later where `by` is 1; does nothing where there is none.
     void go_back(int by = -1);
+    /// Selects a ray, and no thing any longer.
     void select(std::size_t ray);
+    /// Selects a thing, the ray staying selected beneath it; none to have the ray alone.
+    void select(std::optional<Thing> thing);
     void change_look(const std::function<void(Look&)>& change);
     void change_tree_pane(const TreePane& tree_pane);
-    void request(Request request, std::string file = {});
+    void change_table(const Table& table);
+    void request(Request request, std::string text = {});
     /// Whether the chosen pixel's tree is still to come: then `poll` is to be called now and then.
     bool tracing() const { return tracing_; }
     /// Takes a tree that has come meanwhile, waiting for it no longer than `patience`.
@@ -104,7 +134,36 @@ class State {
     /// One line for people; empty to clear it.
     void say(std::string message);
 
+    // Lessons (state_lesson.cpp).
+    /// Null unless a lesson is open.
+    const LessonRun* lesson() const { return lesson_.get(); }
+    LessonSide lesson_side() const { return lesson_side_; }
+    /// Where lessons are looked for; empty: where the program has its own.
+    const std::filesystem::path& lesson_folder() const { return lesson_folder_; }
+    void set_lesson_folder(std::filesystem::path folder) { lesson_folder_ = std::move(folder); }
+    void show_lessons(LessonSide pane);
+    void open_lesson(std::shared_ptr<const lesson::Lesson> lesson, std::size_t step = 0);
+    void close_lesson();
+    /// Steps from 0; does nothing for one that there is none of.
+    void go_to_lesson_step(std::size_t step);
+    /// Everything as the step shows it.
+    void show_lesson_view();
+    /// Throws InputError for an answer that cannot be judged.
+    void give_answer(const Json& answer);
+    void tell_answer();
+    void ask_again();
+    /// Shows the scene with the value that the question is about.
+    void try_value(double value);
+
+    const Explained& explained() const { return explained_; }
+    void explain(const std::function<void(Explained&)>& change);
+
   private:
+    void stage(const lesson::Show& show);
+    void take_view(const lesson::View& view);
+    void exchange(std::shared_ptr<const Document> document);
+    void answer_by_pixel();
+    void answer_by_ray();
     void choose(Pixel pixel);
     void trace();
     bool take_tree(std::chrono::milliseconds patience);
@@ -115,11 +174,18 @@ class State {
     History history_;
     std::shared_ptr<const PixelTree> tree_;
     std::size_t selected_ = 0;
+    std::optional<Thing> thing_;
     bool tracing_ = false;
     std::unique_ptr<TreeWorker> worker_ = std::make_unique<TreeWorker>();
     Look look_;
     TreePane tree_pane_;
+    Table table_;
     std::string message_;
+    std::unique_ptr<LessonRun> lesson_;
+    LessonSide lesson_side_ = LessonSide::hidden;
+    std::filesystem::path lesson_folder_;
+    bool staging_ = false;  ///< the views are being set as a step wants them
+    Explained explained_;
     std::vector<Observer> observers_;
 };
 

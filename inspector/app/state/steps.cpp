@@ -3,8 +3,9 @@
 namespace raytree::inspector {
 namespace {
 
-bool shown(const State& state, std::size_t ray) {
-    return !state.look().hidden.contains(state.tree()->tree.rays[ray].kind);
+bool is_shown(const State& state, std::size_t ray) {
+    const PixelTree& tree = *state.tree();
+    return shown(state.look().filter, tree, tree.tree.rays[ray]) != Shown::hidden;
 }
 
 /// The next ray in the order of computation that is not hidden, or the one before.
@@ -14,7 +15,7 @@ std::optional<std::size_t> step_target(const State& state, int by) {
     }
     const auto count = static_cast<std::ptrdiff_t>(state.tree()->tree.rays.size());
     auto ray = static_cast<std::ptrdiff_t>(state.selected()->id) + by;
-    while (ray >= 0 && ray < count && !shown(state, static_cast<std::size_t>(ray))) {
+    while (ray >= 0 && ray < count && !is_shown(state, static_cast<std::size_t>(ray))) {
         ray += by;
     }
     return ray >= 0 && ray < count ? std::optional(static_cast<std::size_t>(ray)) : std::nullopt;

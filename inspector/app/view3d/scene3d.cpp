@@ -8,6 +8,8 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderer.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -83,6 +85,18 @@ struct Part {
     }
 };
 
+/// Lays see-through shapes over each other in the order in which they come, which is by distance
+/// (see sorted_triangles). VTK's own way averages whatever lies at a pixel, in floating-point
+/// buffers that cost software OpenGL half of the frame.
+class LayeringRenderer : public vtkOpenGLRenderer {
+  public:
+    static LayeringRenderer* New();
+    void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase*) override {
+        UpdateTranslucentPolygonalGeometry();
+    }
+};
+LayeringRenderer* LayeringRenderer::New() { VTK_STANDARD_NEW_BODY(LayeringRenderer); }
+
 /// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the
 /// viewer it is firmer, and its colour turns into that of lines.
 std::string see_through_code(Ink line) {
@@ -136,9 +150,10 @@ void add_lights(vtkRenderer* renderer) {
 
 struct Scene3d::Parts {
     vtkNew<vtkGenericOpenGLRenderWindow> window;
-    vtkNew<vtkRenderer> renderer;
+    vtkNew<LayeringRenderer> renderer;
     vtkNew<vtkTexture> texture;
-    Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading;
+    Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading, angles,
+        faint_angles;
     Palette palette;
 
     void set_shading() {
@@ -147,7 +162,8 @@ struct Scene3d::Parts {
             part->lit(0.72, 0.34);
         }
         shapes.lit(0.42, 0.68);
-        for (Part* part : {&edges, &picture, &mark_lines, &ray_lines, &halo}) {
+        for (Part* part :
+             {&edges, &picture, &mark_lines, &ray_lines, &halo, &angles, &faint_angles}) {
             part->unlit();
         }
     }
@@ -170,13 +186,14 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     p.set_shading();
     // In the order in which what is see-through is laid over each other.
     for (Part* part : {&p.shapes, &p.edges, &p.picture, &p.mark_lines, &p.marks, &p.ray_lines,
-                       &p.rays, &p.halo, &p.fading}) {
+                       &p.rays, &p.halo, &p.fading, &p.angles, &p.faint_angles}) {
         p.renderer->AddActor(part->actor);
     }
-    for (Part* part : {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading}) {
+    for (Part* part :
+         {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading, &p.faint_angles}) {
         part->see_through(true);
     }
-    for (Part* part : {&p.marks, &p.rays, &p.halo}) {
+    for (Part* part : {&p.marks, &p.rays, &p.halo, &p.angles}) {
         part->see_through(false);
     }
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
@@ -220,6 +237,11 @@ void Scene3d::set_rays(const RayMeshes& meshes) {
 void Scene3d::set_landmarks(const Landmarks& marks) {
     parts_->marks.set(marks.solid);
     parts_->mark_lines.set(marks.lines);
+}
+
+void Scene3d::set_angles(const AngleDrawing& angles) {
+    parts_->angles.set(angles.solid);
+    parts_->faint_angles.set(angles.faint);
 }
 
 void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t>& colours) {

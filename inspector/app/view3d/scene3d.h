@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "drawing/angles.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/scene_mesh.h"
 
@@ -27,6 +28,7 @@ class Scene3d {
     void set_shape_order(const std::vector<std::int32_t>& triangles);
     void set_rays(const RayMeshes& meshes);
     void set_landmarks(const Landmarks& marks);
+    void set_angles(const AngleDrawing& angles);
     /// The picture, 0xFFRRGGBB row by row from the top left, on a quadrangle from its top left on.
     void set_picture(int width, int height, const std::vector<std::uint32_t>& colours);
     void set_picture_place(const std::array<Point3, 4>& corners, bool shown);

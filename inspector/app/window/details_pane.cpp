@@ -1,10 +1,17 @@
 #include "window/details_pane.h"
 
+#include <QContextMenuEvent>
 #include <QFontDatabase>
+#include <QMenu>
 #include <QScrollBar>
+#include <QToolTip>
+#include <memory>
 
+#include "state/commands.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/numbers.h"
+#include "state/thing_details.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
 
@@ -20,12 +27,12 @@ class Writer {
   public:
     Writer(const Palette& palette, Quantize quantize) : palette_(palette), quantize_(quantize) {}
 
-    void heading(const TreeRay<double>& ray) {
-        const QString colour = qt(palette_[look_of(ray)]).name();
+    void heading(const std::string& title, Ink ink) {
+        const QString colour = qt(ink).name();
         html_ += QStringLiteral(
                      "<p style='margin:2px 0 2px 0; font-size:large'><b>"
                      "<span style='color:%1'>&#9632;</span>&nbsp;%2</b></p>")
-                     .arg(colour, qt(title_of(ray)).toHtmlEscaped());
+                     .arg(colour, qt(title).toHtmlEscaped());
     }
 
     void equation(const TreeRay<double>& ray) {
@@ -55,6 +62,8 @@ class Writer {
     }
 
     QString take() { return std::move(html_); }
+    /// The numbers that have been written, in their order: "n:3" leads to the fourth.
+    std::vector<double> take_numbers() { return std::move(numbers_); }
 
   private:
     void add(const DetailRow& row) {
@@ -65,19 +74,34 @@ class Writer {
         html_ += QStringLiteral("<tr><td width='31%' style='color:%1'>%2%3%4%5</td>")
                      .arg(strong ? colour : label_colour, strong ? "<b>" : "", escaped(row.label),
                           strong ? "</b>" : "", swatch_of(row));
-        for (const std::string& cell : row.cells) {
-            html_ += row.is_text ? QStringLiteral("<td colspan='3' align='left'>%1</td>")
-                                       .arg(qt(cell).toHtmlEscaped())
-                                 : QStringLiteral(
-                                       "<td width='23%' align='right' style='color:%1; "
-                                       "font-family:%2'>%3%4%5</td>")
-                                       .arg(colour, mono_, strong ? "<b>" : "", escaped(cell),
-                                            strong ? "</b>" : "");
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            add_cell(row, k, colour, strong);
         }
         if (!row.is_text && row.cells.size() < 3) {
             html_ += QStringLiteral("<td colspan='%1'></td>").arg(3 - row.cells.size());
         }
         html_ += QStringLiteral("</tr>");
+    }
+
+    void add_cell(const DetailRow& row, std::size_t k, const QString& colour, bool strong) {
+        QString text = row.is_text ? qt(row.cells[k]).toHtmlEscaped() : escaped(row.cells[k]);
+        if (k < row.rays.size()) {
+            text = link(QStringLiteral("r:%1").arg(row.rays[k]), text, qt(palette_.accent).name());
+        } else if (k < row.values.size()) {
+            text = link(QStringLiteral("n:%1").arg(numbers_.size()), text, colour);
+            numbers_.push_back(row.values[k]);
+        }
+        html_ += row.is_text
+                     ? QStringLiteral("<td colspan='3' align='left'>%1</td>").arg(text)
+                     : QStringLiteral(
+                           "<td width='23%' align='right' style='color:%1; "
+                           "font-family:%2'>%3%4%5</td>")
+                           .arg(colour, mono_, strong ? "<b>" : "", text, strong ? "</b>" : "");
+    }
+
+    static QString link(const QString& to, const QString& text, const QString& colour) {
+        return QStringLiteral("<a href='%1' style='color:%2; text-decoration:none'>%3</a>")
+            .arg(to, colour, text);
     }
 
     QString swatch_of(const DetailRow& row) const {
@@ -95,39 +119,112 @@ class Writer {
     Quantize quantize_;
     QString mono_ = QFontDatabase::systemFont(QFontDatabase::FixedFont).family();
     QString html_;
+    std::vector<double> numbers_;
 };
 
 }  // namespace
 
 DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), state_(state) {
     setOpenLinks(false);
+    setAccessibleName(QStringLiteral("Details of what is selected"));
     document()->setDocumentMargin(8);
+    connect(this, &QTextBrowser::anchorClicked, this, &DetailsPane::follow);
+    connect(this, qOverload<const QUrl&>(&QTextBrowser::highlighted), this, &DetailsPane::hint);
     state_.observe([this](const Changes& changes) {
         if (changes.selection || changes.tree || changes.look) {
-            show_ray();
+            show_selection();
+        }
+        if (changes.request == Request::copy_number) {
+            copy_number();
         }
     });
 }
 
-void DetailsPane::show_ray() {
-    const Palette& palette = palette_of(state_.look().theme);
-    if (!state_.tree()) {
+void DetailsPane::show_selection() {
+    number_.reset();
+    if (!state_.thing() && !state_.tree()) {
         setPlainText(qt(state_.message()));
         return;
     }
-    Writer writer(palette, state_.tree()->tree.settings.quantize);
-    writer.heading(*state_.selected());
-    writer.equation(*state_.selected());
-    for (const DetailSection& section : details_of(*state_.tree(), state_.selected()->id)) {
+    const Palette& palette = palette_of(state_.look().theme);
+    Writer writer(palette, state_.document()->scene().settings.quantize);
+    if (state_.thing()) {
+        const Scene& scene = state_.document()->scene();
+        const Thing thing = *state_.thing();
+        writer.heading(title_of(scene, thing), palette.selection);
+        for (const DetailSection& section : details_of(scene, state_.tree().get(), thing)) {
+            writer.section(section);
+        }
+    } else {
+        write_ray(writer);
+    }
+    numbers_ = writer.take_numbers();
+    setHtml(writer.take());
+    verticalScrollBar()->setValue(0);
+}
+
+template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
+    const TreeRay<double>& ray = *state_.selected();
+    writer.heading(title_of(ray), palette_of(state_.look().theme)[look_of(ray)]);
+    writer.equation(ray);
+    for (const DetailSection& section : details_of(*state_.tree(), ray.id)) {
         writer.section(section);
     }
-    const Derivation derivation =
-        derive(state_.document()->world(), state_.tree()->tree, state_.selected()->id);
+    const Derivation derivation = derive(state_.document()->world(), state_.tree()->tree, ray.id);
     for (const DetailSection& section : derivation_details(derivation)) {
         writer.section(section);
     }
-    setHtml(writer.take());
-    verticalScrollBar()->setValue(0);
+}
+
+/// A number is copied, a ray selected.
+void DetailsPane::follow(const QUrl& link) {
+    const std::size_t k = link.path().toUInt();
+    if (link.scheme() == QStringLiteral("r")) {
+        state_.select(k);
+    } else if (k < numbers_.size()) {
+        number_ = numbers_[k];
+        copy_number();
+    }
+}
+
+/// The number under the mouse, or to which Tab has come, with all of its digits.
+void DetailsPane::hint(const QUrl& link) {
+    const std::size_t k = link.path().toUInt();
+    if (link.scheme() != QStringLiteral("n") || k >= numbers_.size()) {
+        QToolTip::hideText();
+        return;
+    }
+    number_ = numbers_[k];
+    QToolTip::showText(QCursor::pos(), qt(exact(*number_)) + QStringLiteral("\na click copies it"),
+                       this);
+}
+
+void DetailsPane::copy_number() {
+    if (!number_) {
+        state_.say("No number is chosen: point at one in the details, or go to it with Tab.");
+        return;
+    }
+    state_.request(Request::copy_text, exact(*number_));
+    state_.say("Copied: " + exact(*number_));
+}
+
+void DetailsPane::contextMenuEvent(QContextMenuEvent* event) {
+    const QUrl link(anchorAt(event->pos()));
+    if (link.scheme() == QStringLiteral("n") && link.path().toUInt() < numbers_.size()) {
+        number_ = numbers_[link.path().toUInt()];
+    }
+    const std::unique_ptr<QMenu> menu(createStandardContextMenu());
+    menu->addSeparator();
+    for (const char* const id : {"copy.number", "copy.ray_text", "copy.ray_json"}) {
+        const Command& command = *find_command(id);
+        QString title = qt(command.title);
+        if (command.id == "copy.number" && number_) {
+            title += QStringLiteral("  ") + qt(exact(*number_));
+        }
+        menu->addAction(title, [this, id] { run_command(state_, id); })
+            ->setEnabled(command.id != "copy.number" || number_);
+    }
+    menu->exec(event->globalPos());
 }
 
 }  // namespace raytree::inspector

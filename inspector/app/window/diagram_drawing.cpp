@@ -23,6 +23,11 @@ RayLook look_of_light(LightRow::State state) {
     return state == LightRow::State::lit ? RayLook::lit : RayLook::blocked;
 }
 
+/// Whether the box is of a ray in the list.
+bool has(const std::vector<bool>& rays, const Box& box) {
+    return !rays.empty() && !box.absent && rays[box.ray->id];
+}
+
 QRectF extent_of(const Box& box) {
     const QRectF frame = rectangle(frame_of(box));
     const double lights = Sizes::light_row * static_cast<double>(box.lights.size());
@@ -43,17 +48,40 @@ DiagramDrawing::DiagramDrawing(QPainter& painter, const Diagram& diagram, const 
     font_.setHintingPreference(QFont::PreferNoHinting);  // text keeps its width at every zoom
 }
 
-void DiagramDrawing::draw(const QRectF& visible, DiagramSpot chosen) {
+void DiagramDrawing::draw(const QRectF& visible, DiagramSpot chosen, const Emphasis& emphasis) {
     for (const Box& box : diagram_.boxes) {
         draw_edge(box, stroke_of(box));
     }
     draw_way(chosen.box);
     for (const Box& box : diagram_.boxes) {
         if (extent_of(box).adjusted(-8, -8, 8, 8).intersects(visible)) {
+            painter_.setOpacity(has(emphasis.faded, box) ? 0.35 : 1);
             draw_box(box);
+            painter_.setOpacity(1);
         }
     }
+    for (std::size_t k = 0; k < diagram_.boxes.size(); ++k) {
+        mark_rays(k, emphasis.marked);
+    }
     mark(chosen);
+}
+
+/// Dashed frames around a box and its shadow rays, where they are marked.
+void DiagramDrawing::mark_rays(std::size_t k, const std::vector<bool>& marked) {
+    const Box& box = diagram_.boxes[k];
+    const auto frame = [&](DiagramSpot spot) {
+        use({palette_.selection, 1.8, Qt::DashLine});
+        painter_.drawRoundedRect(rectangle(place_of(diagram_, spot)).adjusted(-3, -3, 3, 3), 6, 6);
+    };
+    if (has(marked, box)) {
+        frame({k, std::nullopt});
+    }
+    for (std::size_t row = 0; row < box.lights.size(); ++row) {
+        const auto& ray = box.lights[row].ray;
+        if (ray && !marked.empty() && marked[*ray]) {
+            frame({k, row});
+        }
+    }
 }
 
 DiagramDrawing::Stroke DiagramDrawing::stroke_of(const Box& box) const {

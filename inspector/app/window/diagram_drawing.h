@@ -3,6 +3,7 @@
 #include <QPainter>
 
 #include "state/diagram.h"
+#include "state/emphasis.h"
 #include "state/palette.h"
 
 namespace raytree::inspector {
@@ -14,7 +15,7 @@ class DiagramDrawing {
                    Quantize quantize);
 
     /// What lies in `visible`, in the diagram's units, with one spot marked and the way to it.
-    void draw(const QRectF& visible, DiagramSpot chosen);
+    void draw(const QRectF& visible, DiagramSpot chosen, const Emphasis& emphasis);
 
   private:
     struct Stroke {
@@ -42,6 +43,7 @@ class DiagramDrawing {
     void draw_ray(const DiagramBox& box, const QRectF& frame);
     void draw_words(const DiagramBox& box, const QRectF& frame);
     void draw_light(const DiagramBox& box, std::size_t row);
+    void mark_rays(std::size_t box, const std::vector<bool>& marked);
     void mark(DiagramSpot spot);
 
     QPainter& painter_;

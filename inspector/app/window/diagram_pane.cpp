@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state/emphasis.h"
 #include "tree/explain.h"
 #include "window/diagram_drawing.h"
 #include "window/qt_text.h"
@@ -17,19 +18,6 @@ namespace {
 constexpr double margin = 14;  // around the diagram
 constexpr double least_scale = 0.02, most_scale = 4;
 constexpr double least_readable = 0.7, most_at_first = 1.25;
-
-/// From where to where the frames of the two upper levels reach.
-std::pair<double, double> top_of(const Diagram& diagram) {
-    const DiagramBox& root = diagram.boxes.front();
-    std::pair<double, double> reach{root.x, root.x + root.card_width + root.lights_width};
-    for (const DiagramBox& box : diagram.boxes) {
-        if (box.parent == std::size_t{0}) {
-            reach.first = std::min(reach.first, box.x);
-            reach.second = std::max(reach.second, box.x + box.card_width);
-        }
-    }
-    return reach;
-}
 
 }  // namespace
 
@@ -60,7 +48,7 @@ void DiagramPane::prepare() {
     if (stale_) {
         stale_ = false;
         tree_ = state_.tree();
-        folded_below_ = tree_ ? fold_of(*tree_, state_.tree_pane().fold_below) : 0;
+        folded_below_ = tree_ ? fold_of(*tree_, state_.tree_pane()) : 0;
         diagram_ = tree_ ? diagram_of(tree_->tree, folded_below_) : Diagram();
         own_view_ ? begin_view() : keep_in_place();
     }
@@ -70,19 +58,17 @@ void DiagramPane::prepare() {
     }
 }
 
-/// All of it where that can be read, or else the primary ray's box and those of its branches.
+/// All of its width where that can be read, or else the middle of its top.
 void DiagramPane::begin_view() {
     if (diagram_.boxes.empty()) {
         return;
     }
     own_view_ = true;
-    const auto [from, to] = top_of(diagram_);
-    const double room = width() - 2 * margin;
-    const double all =
-        std::min(room / diagram_.width, (room_height() - 2 * margin) / diagram_.height);
-    scale_ =
-        std::clamp(std::max(all, std::min(1.0, room / (to - from))), least_readable, most_at_first);
-    origin_ = {width() / 2.0 - scale_ * (from + to) / 2, margin};
+    const DiagramBox& root = diagram_.boxes.front();
+    scale_ = std::clamp(std::min((width() - 2 * margin) / diagram_.width,
+                                 (room_height() - 2 * margin) / diagram_.height),
+                        least_readable, most_at_first);
+    origin_ = {width() / 2.0 - scale_ * (root.x + root.card_width / 2), margin};
     keep_in_place();
     reveal_ = true;
 }
@@ -142,6 +128,11 @@ std::optional<DiagramSpot> DiagramPane::spot_under(QPointF place) {
 }
 
 void DiagramPane::resizeEvent(QResizeEvent*) {
+    TreePane pane = state_.tree_pane();
+    pane.room = std::max(0.0, (width() - 2 * margin) / least_readable);
+    if (pane.room != state_.tree_pane().room) {
+        state_.change_tree_pane(pane);
+    }
     prepare();
     own_view_ ? begin_view() : keep_in_place();
 }
@@ -158,7 +149,7 @@ void DiagramPane::paintEvent(QPaintEvent*) {
         painter.scale(scale_, scale_);
         const QRectF visible(to_diagram({0, 0}), QSizeF(size()) / scale_);
         DiagramDrawing(painter, diagram_, palette, tree_->tree.settings.quantize)
-            .draw(visible, spot_of(diagram_, *tree_, state_.selected()->id));
+            .draw(visible, spot_of(diagram_, *tree_, state_.selected()->id), emphasis_of(state_));
         painter.restore();
         draw_note(painter);
     }

@@ -11,7 +11,9 @@
 
 #include "formats/output_file.h"
 #include "state/exports.h"
+#include "window/ask_size.h"
 #include "window/qt_text.h"
+#include "window/scene_pane.h"
 
 namespace raytree::inspector {
 namespace {
@@ -40,17 +42,21 @@ bool wait_for(const std::future<Work>& work, const std::atomic<int>& percent, QW
 
 }  // namespace
 
-Exporter::Exporter(State& state, QWidget* window, QWidget* view)
+Exporter::Exporter(State& state, QWidget* window, ScenePane* view)
     : QObject(window), state_(state), window_(window), view_(view) {
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
 
 void Exporter::obey(const Changes& changes) {
     if (changes.request == Request::export_picture) {
-        write_picture(changes.file);
+        write_picture(changes.text);
     } else if (changes.request == Request::export_window) {
-        write_output(changes.file, png_of(*window_));
-        state_.say("Written: " + changes.file);
+        write_output(changes.text, png_of(*window_));
+        state_.say("Written: " + changes.text);
+    } else if (changes.request == Request::export_view) {
+        write_view(changes.text);
+    } else if (changes.request == Request::copy_text) {
+        QApplication::clipboard()->setText(qt(changes.text));
     } else if (changes.request == Request::copy_window) {
         QApplication::clipboard()->setPixmap(window_->grab());
         state_.say("The window has been copied.");
@@ -81,11 +87,20 @@ void Exporter::write_picture(const std::string& file) {
     }
 }
 
-std::string png_of(QWidget& widget) {
+void Exporter::write_view(const std::string& file_and_size) {
+    const ViewExport wish = view_export_from(file_and_size);
+    const QSize size = wish.size ? QSize(wish.size->first, wish.size->second) : view_->size();
+    write_output(wish.file, png_of(view_->image(size)));
+    state_.say("Written: " + wish.file);
+}
+
+std::string png_of(QWidget& widget) { return png_of(widget.grab().toImage()); }
+
+std::string png_of(const QImage& image) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    widget.grab().toImage().convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
+    image.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG");
     return bytes.toStdString();
 }
 
@@ -97,8 +112,15 @@ std::string ask_new_file(const State& state, const Command& command, QWidget* pa
     dialog.setDefaultSuffix(suffixes.front());
     dialog.setNameFilter(QStringLiteral("*.") + suffixes.join(QStringLiteral(" *.")));
     dialog.selectFile(qt(suggested_name(state, command)));
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().front().toStdString()
-                                              : std::string();
+    if (dialog.exec() != QDialog::Accepted) {
+        return {};
+    }
+    const std::string file = dialog.selectedFiles().front().toStdString();
+    if (command.id != "export.view") {
+        return file;
+    }
+    const std::string size = ask_size(parent);
+    return size.empty() ? size : file + " " + size;
 }
 
 }  // namespace raytree::inspector

@@ -138,7 +138,7 @@ const std::map<std::string_view, Draw>& command_drawings() {
              p.drawPolyline(QPolygonF({{6.5, 6.5}, {9, 10}, {6.8, 12}}));
              p.drawLine(QPointF(9, 10), QPointF(12, 8));
          }},
-        {"view.fit_ray",
+        {"view.fit_selection",
          [](QPainter& p) {
              for (const double x : {3.0, 15.0}) {
                  for (const double y : {3.0, 15.0}) {

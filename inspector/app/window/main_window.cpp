@@ -20,8 +20,11 @@
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/exporter.h"
+#include "window/filter_pane.h"
+#include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/overlay_legend.h"
+#include "window/panel_frame.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
@@ -34,11 +37,13 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     setAcceptDrops(true);
     setDockOptions(QMainWindow::AnimatedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(make_centre());
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
+    add_lesson_dock();
 
     pixel_ = new QLabel;
     counts_ = new QLabel;
@@ -72,11 +77,14 @@ QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::Doc
 void MainWindow::add_tree_dock() {
     outline_ = new OutlinePane(state_);
     diagram_ = new DiagramPane(state_);
+    filter_ = new FilterPane(state_);
     counts_pane_ = new CountsPane(state_);
     tree_panes_ = new QStackedWidget;
     tabs_ = new QTabBar;
-    const std::pair<const char*, QWidget*> panes[] = {
-        {"Ray tree", outline_}, {"Diagram", diagram_}, {"Counts", counts_pane_}};
+    const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
+                                                      {"Diagram", diagram_},
+                                                      {"Counts", counts_pane_},
+                                                      {"Rays shown", filter_}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));
         tree_panes_->addWidget(pane);
@@ -85,12 +93,40 @@ void MainWindow::add_tree_dock() {
     tabs_->setDrawBase(false);
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
         if (tab != static_cast<int>(state_.tree_pane().tab)) {
-            state_.change_tree_pane(
-                {static_cast<TreePane::Tab>(tab), state_.tree_pane().fold_below});
+            TreePane pane = state_.tree_pane();
+            pane.tab = static_cast<TreePane::Tab>(tab);
+            state_.change_tree_pane(pane);
         }
     });
     tree_dock_ = add_dock(QStringLiteral("Ray tree"), tree_panes_, Qt::BottomDockWidgetArea);
     tree_dock_->setTitleBarWidget(tabs_);
+}
+
+void MainWindow::add_lesson_dock() {
+    lesson_pane_ =
+        new LessonPane(state_, [this](const std::string& command, const std::string& argument) {
+            actions_->run(*find_command(command), argument);
+        });
+    lesson_dock_ = add_dock(QStringLiteral("Lesson"), lesson_pane_, Qt::RightDockWidgetArea);
+    lesson_dock_->setTitleBarWidget(new QWidget);  // the pane says itself what it is
+    lesson_dock_->hide();
+    frame_ = new PanelFrame(this);
+}
+
+/// The lesson's pane, and a frame around the one that its step talks about.
+void MainWindow::show_lesson() {
+    const bool shown = state_.lesson_side() != LessonSide::hidden;
+    if (lesson_dock_->isVisibleTo(this) != shown) {
+        lesson_dock_->setVisible(shown);
+        share_room();
+    }
+    QWidget* const panes[] = {picture_, scene_, tree_dock_, tree_dock_, tree_dock_, details_};
+    const LessonRun* const lesson = state_.lesson();
+    const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
+                           ? lesson->here().show.panel
+                           : std::nullopt;
+    frame_->put_around(panel ? panes[static_cast<std::size_t>(*panel)] : nullptr,
+                       palette_of(state_.look().theme).accent);
 }
 
 void MainWindow::show_tab() {
@@ -138,10 +174,20 @@ QWidget* MainWindow::make_centre() {
     return box;
 }
 
-/// The docks keep their shares of the window.
+/// The docks keep their shares of the window; a lesson's text has lines that are easy to read.
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
-    const int left = std::clamp(static_cast<int>(width() * 0.31), 330, 620);
+    share_room();
+}
+
+void MainWindow::share_room() {
+    const bool teaches = lesson_dock_->isVisibleTo(this);
+    const int left = teaches ? std::clamp(static_cast<int>(width() * 0.26), 300, 560)
+                             : std::clamp(static_cast<int>(width() * 0.31), 330, 620);
+    if (teaches) {
+        resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},
+                    Qt::Horizontal);
+    }
     const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
     resizeDocks({picture_dock_}, {left}, Qt::Horizontal);
@@ -167,6 +213,16 @@ void MainWindow::obey(const Changes& changes) {
     }
     if (changes.tree_pane) {
         show_tab();
+    }
+    if (changes.lesson || changes.look) {
+        show_lesson();
+    }
+    if (changes.selection) {
+        const auto& thing = state_.thing();
+        details_dock_->setWindowTitle(!thing ? QStringLiteral("Selected ray")
+                                      : thing->kind == Thing::Kind::object
+                                          ? QStringLiteral("Selected object")
+                                          : QStringLiteral("Selected light"));
     }
     if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(this);

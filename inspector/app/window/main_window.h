@@ -13,9 +13,12 @@ namespace raytree::inspector {
 
 class Actions;
 class CountsPane;
+class FilterPane;
 class DetailsPane;
 class DiagramPane;
+class LessonPane;
 class OutlinePane;
+class PanelFrame;
 class PicturePane;
 class ScenePane;
 
@@ -33,6 +36,8 @@ class MainWindow : public QMainWindow {
     DetailsPane& details_pane() const { return *details_; }
     DiagramPane& diagram_pane() const { return *diagram_; }
     CountsPane& counts_pane() const { return *counts_pane_; }
+    LessonPane& lesson_pane() const { return *lesson_pane_; }
+    FilterPane& filter_pane() const { return *filter_; }
     const PictureFeed& feed() const { return feed_; }
 
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
@@ -48,6 +53,9 @@ class MainWindow : public QMainWindow {
     QWidget* make_picture_box();
     QWidget* make_centre();
     void add_tree_dock();
+    void add_lesson_dock();
+    void show_lesson();
+    void share_room();
     void show_tab();
     void obey(const Changes& changes);
     void show_status();
@@ -64,9 +72,13 @@ class MainWindow : public QMainWindow {
     DetailsPane* details_ = nullptr;
     DiagramPane* diagram_ = nullptr;
     CountsPane* counts_pane_ = nullptr;
+    LessonPane* lesson_pane_ = nullptr;
+    PanelFrame* frame_ = nullptr;
+    FilterPane* filter_ = nullptr;
     QTabBar* tabs_ = nullptr;
     QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;
+    QDockWidget* lesson_dock_ = nullptr;
     QTimer tracing_;  ///< runs while a tree is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };

@@ -6,39 +6,43 @@
 #include <memory>
 
 #include "state/outline.h"
+#include "state/state.h"
 
 namespace raytree::inspector {
 
-/// The tree's outline as Qt's views ask for it.
+/// The ray table as Qt's views ask for it: the tree's outline or, sorted by a column, the rays
+/// alone. Its columns are those of `Column`, all of them, in that order.
 class OutlineModel : public QAbstractItemModel {
     Q_OBJECT
 
   public:
-    enum Column { ray_column, met_column, t_column, intensity_column, ended_column, column_count };
-
     explicit OutlineModel(QObject* parent = nullptr) : QAbstractItemModel(parent) {}
 
-    void show(std::shared_ptr<const PixelTree> tree, bool ghosts, Theme theme, Quantize quantize);
+    /// Shows the state's tree as its table says.
+    void show(const State& state);
     QModelIndex index_of_ray(std::size_t ray) const;
-    const OutlineRow& row(const QModelIndex& index) const {
-        return outline_.row(static_cast<std::size_t>(index.internalId()));
-    }
+    OutlineRow row(const QModelIndex& index) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent) const override;
     QModelIndex parent(const QModelIndex& child) const override;
     int rowCount(const QModelIndex& parent) const override;
-    int columnCount(const QModelIndex&) const override { return column_count; }
+    int columnCount(const QModelIndex&) const override { return static_cast<int>(column_count); }
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:
     QModelIndex index_of(std::size_t place, int column) const;
-    QVariant text(const OutlineRow& row, int column) const;
-    QVariant icon(const OutlineRow& row, int column) const;
+    QVariant text(const OutlineRow& row, Column column) const;
+    QVariant icon(const OutlineRow& row, Column column) const;
+    bool is_faint(const OutlineRow& row, Column column) const;
+    bool is_marked(const OutlineRow& row) const;
 
+    const State* state_ = nullptr;
     std::shared_ptr<const PixelTree> tree_;
     Outline outline_;
+    bool sorted_ = false;
+    std::vector<std::size_t> rays_, places_;  ///< of the sorted table, and each ray's place in it
     Theme theme_ = Theme::light;
     Quantize quantize_ = Quantize::round;
     std::array<QIcon, look_count> signs_;

@@ -1,7 +1,13 @@
 #include "window/outline_pane.h"
 
+#include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QMenu>
 #include <algorithm>
+#include <numeric>
+
+#include "state/commands.h"
+#include "window/qt_text.h"
 
 namespace raytree::inspector {
 namespace {
@@ -18,25 +24,44 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     setIndentation(13);
     setAllColumnsShowFocus(true);
     setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     setIconSize({24, 16});
     header()->setStretchLastSection(true);
     header()->setMinimumSectionSize(30);
-    state_.observe([this](const Changes& changes) {
-        if (changes.tree || changes.look || changes.document) {
-            show_tree();
-        }
-        if (changes.selection || changes.look) {
-            show_selection();
-        }
+    header()->setSectionsClickable(true);
+    header()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(header(), &QHeaderView::sectionClicked, this, [this](int section) {
+        const Column column = static_cast<Column>(section);
+        run_command(state_, "table.sort", inspector::text_of(column).word);
     });
+    connect(header(), &QWidget::customContextMenuRequested, this,
+            [this](QPoint at) { choose_columns(header()->mapToGlobal(at)); });
+    show_columns();
+    state_.observe([this](const Changes& changes) { obey(changes); });
+}
+
+void OutlinePane::obey(const Changes& changes) {
+    if (changes.table) {
+        show_columns();
+        size_columns();
+    }
+    if (changes.tree || changes.look || changes.document || changes.table) {
+        show_tree();
+    }
+    if (changes.selection || changes.look || changes.table) {
+        show_selection();
+    }
+    if (changes.request == Request::choose_columns) {
+        choose_columns(header()->mapToGlobal(QPoint(8, header()->height())));
+    } else if (changes.request == Request::copy_rows || changes.request == Request::copy_table) {
+        copy(changes.request == Request::copy_table);
+    }
 }
 
 void OutlinePane::show_tree() {
     following_ = true;
-    const Quantize quantize =
-        state_.document() ? state_.document()->scene().settings.quantize : Quantize::round;
-    model_->show(state_.tree(), state_.look().ghosts, state_.look().theme, quantize);
+    model_->show(state_);
     if (state_.tree() && state_.tree()->tree.rays.size() <= most_expanded) {
         expandAll();
     } else {
@@ -47,16 +72,83 @@ void OutlinePane::show_tree() {
 
 void OutlinePane::show_selection() {
     following_ = true;
+    viewport()->update();  // other rows may be marked now
     const QModelIndex index =
         state_.selected() ? model_->index_of_ray(state_.selected()->id) : QModelIndex();
     const bool on_its_ghost = currentIndex().isValid() && index.isValid() &&
                               model_->row(currentIndex()).ray == state_.selected()->id &&
                               model_->row(currentIndex()).skipped;
-    if (!on_its_ghost) {
+    const bool among_others = index.isValid() && currentIndex() == index;
+    if (!on_its_ghost && !among_others) {
         setCurrentIndex(index);
+    }
+    if (!on_its_ghost) {
         scrollTo(index);
     }
     following_ = false;
+}
+
+/// Which columns there are, and by which of them the rays are sorted.
+void OutlinePane::show_columns() {
+    const Table& table = state_.table();
+    for (int k = 0; k < static_cast<int>(column_count); ++k) {
+        setColumnHidden(k, !table.has(static_cast<Column>(k)));
+    }
+    const bool sorted = table.sorted_by.has_value();
+    header()->setSortIndicatorShown(sorted);
+    if (sorted) {
+        header()->setSortIndicator(static_cast<int>(*table.sorted_by),
+                                   table.descending ? Qt::DescendingOrder : Qt::AscendingOrder);
+    }
+    setRootIsDecorated(!sorted);
+}
+
+void OutlinePane::choose_columns(QPoint place) {
+    QMenu menu(this);
+    for (std::size_t k = 1; k < column_count; ++k) {
+        const ColumnText& text = inspector::text_of(static_cast<Column>(k));
+        QAction* const action = menu.addAction(qt(text.title));
+        action->setCheckable(true);
+        action->setChecked(state_.table().has(static_cast<Column>(k)));
+        connect(action, &QAction::triggered, this,
+                [this, word = text.word] { run_command(state_, "table.column", word); });
+    }
+    menu.addSeparator();
+    QMenu* const order = menu.addMenu(QStringLiteral("Sort by"));
+    for (const Column column : state_.table().columns) {
+        const ColumnText& text = inspector::text_of(column);
+        order->addAction(qt(text.title),
+                         [this, word = text.word] { run_command(state_, "table.sort", word); });
+    }
+    for (const char* const id : {"table.as_tree", "table.first_columns"}) {
+        const Command& command = *find_command(id);
+        menu.addAction(qt(command.title), [this, id] { run_command(state_, id); })
+            ->setEnabled(!command.possible || command.possible(state_));
+    }
+    menu.exec(place);
+}
+
+/// The rays of the rows that are chosen, or all of them, in the order in which they stand.
+void OutlinePane::copy(bool all) {
+    if (!state_.tree()) {
+        return;
+    }
+    const PixelTree& tree = *state_.tree();
+    const Table& table = state_.table();
+    std::vector<std::size_t> rays(tree.tree.rays.size());
+    std::iota(rays.begin(), rays.end(), std::size_t{0});
+    if (table.sorted_by) {
+        rays = sorted_rays(tree, *table.sorted_by, table.descending);
+    }
+    if (!all) {
+        std::vector<bool> chosen(rays.size());
+        for (const QModelIndex& index : selectionModel()->selectedRows()) {
+            chosen[model_->row(index).ray] = true;
+        }
+        std::erase_if(rays, [&](std::size_t ray) { return !chosen[ray]; });
+    }
+    state_.request(Request::copy_text, copied(tree, rays, table.columns));
+    state_.say("Copied: " + std::to_string(rays.size()) + (rays.size() == 1 ? " ray." : " rays."));
 }
 
 void OutlinePane::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
@@ -71,16 +163,57 @@ void OutlinePane::resizeEvent(QResizeEvent* event) {
     size_columns();
 }
 
-/// Shares of the width, except that numbers get what they need.
-void OutlinePane::size_columns() {
+void OutlinePane::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    for (const char* const id :
+         {"copy.rows", "copy.table", "copy.ray_text", "copy.ray_json", "table.columns"}) {
+        const Command& command = *find_command(id);
+        menu.addAction(qt(command.title), [this, id] { run_command(state_, id); });
+    }
+    menu.exec(event->globalPos());
+}
+
+int OutlinePane::width_for(Column column) const {
     const QFontMetrics metrics(font());
-    const int t = metrics.horizontalAdvance(QStringLiteral("-1.234e-5")) + 12;
-    const int intensity = metrics.horizontalAdvance(QStringLiteral("0.000  0.000  0.000")) + 42;
-    const int rest = std::max(300, viewport()->width() - t - intensity);
-    setColumnWidth(OutlineModel::ray_column, static_cast<int>(rest * 0.37));
-    setColumnWidth(OutlineModel::met_column, static_cast<int>(rest * 0.25));
-    setColumnWidth(OutlineModel::t_column, t);
-    setColumnWidth(OutlineModel::intensity_column, intensity);
+    const auto of = [&](const char* text) {
+        return metrics.horizontalAdvance(QString::fromUtf8(text)) + 14;
+    };
+    switch (column) {
+        case Column::intensity:
+            return of("0.000  0.000  0.000") + 28;
+        case Column::t:
+        case Column::attenuation:
+            return of("-1.234e-5");
+        case Column::level:
+        case Column::side:
+            return std::max(of("Level"), of("front"));
+        case Column::angle:
+            return of("Angle to n ");
+        case Column::weight:
+            return of("0.000  0.000  0.000 ");
+        case Column::eta:
+            return of("1.333 → 1.333");
+        case Column::material:
+            return of("a material of");
+        default:
+            return of("-0.1234  -0.1234  -0.1234");
+    }
+}
+
+/// Names share what the numbers leave of the width.
+void OutlinePane::size_columns() {
+    const bool reasons = state_.table().has(Column::ended);
+    int rest = viewport()->width();
+    for (const Column column : state_.table().columns) {
+        if (column != Column::ray && column != Column::met && column != Column::ended) {
+            setColumnWidth(static_cast<int>(column), width_for(column));
+            rest -= width_for(column);
+        }
+    }
+    rest = std::max(rest, fontMetrics().averageCharWidth() * 60);
+    setColumnWidth(static_cast<int>(Column::ray), static_cast<int>(rest * (reasons ? 0.39 : 0.55)));
+    setColumnWidth(static_cast<int>(Column::met), static_cast<int>(rest * (reasons ? 0.29 : 0.45)));
+    setColumnWidth(static_cast<int>(Column::ended), static_cast<int>(rest * 0.32));
 }
 
 }  // namespace raytree::inspector

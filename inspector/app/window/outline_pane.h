@@ -8,7 +8,8 @@
 namespace raytree::inspector {
 
 /// The tree as an outline with columns. Choosing a row selects its ray; of a ghost, the ray that it
-/// would have been sent from.
+/// would have been sent from. A click on a column's title sorts, the right button there chooses
+/// columns.
 class OutlinePane : public QTreeView {
     Q_OBJECT
 
@@ -20,11 +21,17 @@ class OutlinePane : public QTreeView {
   protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     void resizeEvent(QResizeEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
   private:
+    void obey(const Changes& changes);
     void show_tree();
     void show_selection();
+    void show_columns();
     void size_columns();
+    int width_for(Column column) const;
+    void choose_columns(QPoint place);
+    void copy(bool all);
 
     inspector::State& state_;  // not QAbstractItemView::State
     OutlineModel* model_;

@@ -62,6 +62,7 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     window.show();
     if (opened.document) {
         state.show(opened);
+        state.show_lesson_view();
     }
     QApplication::processEvents();  // the panes take their sizes
     for (const std::string& line : options.script) {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
+#include "drawing/words.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -30,13 +32,15 @@ const std::array<LegendEntry, 6>& legend() {
     return entries;
 }
 
-/// Where the names of a thing may stand, beside its mark, the best first.
-std::array<QRectF, 4> places_beside(QPointF at, QSizeF size) {
-    constexpr double off = 12;
-    const double w = size.width(), h = size.height();
-    return {QRectF(at + QPointF(off, -h / 2), size), QRectF(at + QPointF(-off - w, -h / 2), size),
-            QRectF(at + QPointF(-w / 2, -off - h), size), QRectF(at + QPointF(-w / 2, off), size)};
+Point3 middle_of(const std::vector<Point3>& points) {
+    Point3 sum(0);
+    for (const Point3& p : points) {
+        sum += p;
+    }
+    return points.empty() ? sum : sum / static_cast<double>(points.size());
 }
+
+WordBox box_of(const QRectF& r) { return {r.x(), r.y(), r.width(), r.height()}; }
 
 }  // namespace
 
@@ -46,12 +50,12 @@ SceneOverlay::SceneOverlay(const State& state, const View& view, QWidget* parent
     setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void SceneOverlay::set_labels(std::vector<SceneLabel> labels) {
-    labels_ = std::move(labels);
+void SceneOverlay::set_labels(std::vector<SceneLabel> labels) { labels_ = std::move(labels); }
+
+void SceneOverlay::set_notes(const QStringList& notes) {
+    notes_ = notes;
     update();
 }
-
-void SceneOverlay::set_note(const QString& note) { note_ = note; }
 
 void SceneOverlay::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -80,7 +84,12 @@ QRectF SceneOverlay::draw_legend(QPainter& painter) const {
         widest = std::max(widest, x + width);
         x += width + between;
     }
-    const QSizeF size(widest + 2 * pad, y + line + pad);
+    const double below = line * notes_.size();
+    for (const QString& note : notes_) {
+        const double room = this->width() - 4 * pad;
+        widest = std::max(widest, std::min(room, metrics.horizontalAdvance(note)));
+    }
+    const QSizeF size(widest + 2 * pad, y + line + below + pad);
     const QRectF box(QPointF(pad, height() - pad - size.height()), size);
     painter.setPen(QPen(qt(palette.rule), 1));
     painter.setBrush(qt(palette.panel, 225));
@@ -100,62 +109,99 @@ QRectF SceneOverlay::draw_legend(QPainter& painter) const {
         painter.drawText(QRectF(at + QPointF(sign + gap, 0), QSizeF(400, line)),
                          Qt::AlignLeft | Qt::AlignVCenter, entry.text);
     }
-    if (!note_.isEmpty()) {
-        painter.setPen(qt(palette.dim_text));
-        painter.drawText(box.topLeft() - QPointF(0, 6), note_);
-    }
+    draw_notes(painter, QRectF(box.left() + pad, box.bottom() - pad / 2.0 - below,
+                               box.width() - 2 * pad, below));
     return box;
 }
 
+void SceneOverlay::draw_notes(QPainter& painter, QRectF lines) const {
+    const QFontMetricsF metrics(painter.font());
+    const double line = notes_.isEmpty() ? 0 : lines.height() / notes_.size();
+    painter.setPen(qt(palette_of(state_.look().theme).text));
+    for (int k = 0; k < notes_.size(); ++k) {
+        painter.drawText(QRectF(lines.left(), lines.top() + k * line, lines.width(), line),
+                         Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(notes_[k], Qt::ElideRight, lines.width()));
+    }
+}
+
 void SceneOverlay::draw_labels(QPainter& painter, QRectF legend_box) const {
-    const Palette& palette = palette_of(state_.look().theme);
-    std::vector<QRectF> taken = {legend_box};
-    const QRectF all = rect();
+    std::vector<WordBox> taken = {box_of(legend_box)};
+    const WordBox room = box_of(rect());
     for (const SceneLabel& label : labels_) {
         const auto at = project(view_, label.at);
-        if (!at || !all.contains(QPointF(at->x, at->y))) {
+        if (!at || !room.holds({at->x, at->y, 0, 0})) {
             continue;
         }
         QFont font = painter.font();
         font.setBold(label.strong);
         const QFontMetricsF metrics(font);
-        const QSizeF size(metrics.horizontalAdvance(label.text) + 8, metrics.height() + 2);
-        for (const QRectF& place : places_beside({at->x, at->y}, size)) {
-            const bool free = all.contains(place) && std::ranges::none_of(taken, [&](auto& other) {
-                                  return other.intersects(place);
-                              });
-            if (free) {
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(qt(palette.panel, 190));
-                painter.drawRoundedRect(place, 3, 3);
-                painter.save();
-                painter.setFont(font);
-                painter.setPen(qt(palette.text));
-                painter.drawText(place, Qt::AlignCenter, label.text);
-                painter.restore();
-                taken.push_back(place);
-                break;
+        WordWish wish{at->x, at->y, std::nullopt, metrics.horizontalAdvance(label.text) + 8,
+                      metrics.height() + 2};
+        if (const auto out = label.out ? project(view_, *label.out) : std::nullopt) {
+            wish.out = {out->x, out->y};
+            wish.far = label.strong ? 150 : 45;
+        }
+        if (const auto place = place_words(wish, room, taken)) {
+            const QRectF box(place->x, place->y, place->width, place->height);
+            if (wish.out) {
+                draw_leader(painter, {at->x, at->y}, box);
             }
+            draw_label(painter, label, box);
+            taken.push_back(*place);
         }
     }
 }
 
-std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, bool from_the_eye) {
+/// From a place to the words that had to stand apart from it.
+void SceneOverlay::draw_leader(QPainter& painter, QPointF from, const QRectF& box) const {
+    const QPointF to(std::clamp(from.x(), box.left(), box.right()),
+                     std::clamp(from.y(), box.top(), box.bottom()));
+    if ((to - from).manhattanLength() > 10) {
+        painter.setPen(QPen(qt(palette_of(state_.look().theme).dim_text), 1));
+        painter.drawLine(from, to);
+    }
+}
+
+void SceneOverlay::draw_label(QPainter& painter, const SceneLabel& label,
+                              const QRectF& place) const {
+    const Palette& palette = palette_of(state_.look().theme);
+    painter.save();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(qt(palette.panel, 205));
+    painter.drawRoundedRect(place, 3, 3);
+    QFont font = painter.font();
+    font.setBold(label.strong);
+    painter.setFont(font);
+    painter.setPen(qt(palette.text));
+    painter.drawText(place, Qt::AlignCenter, label.text);
+    painter.restore();
+}
+
+std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
+                                     bool from_the_eye) {
     std::vector<SceneLabel> labels;
     if (!state.document()) {
         return labels;
     }
     const Scene& scene = state.document()->scene();
     const TreeRay<double>* const ray = state.selected();
+    if (state.thing() && state.thing()->kind == Thing::Kind::object) {
+        const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
+        labels.push_back({at, qt(name_of(scene, *state.thing())), true});
+    }
     if (ray && ray->hit) {
-        labels.push_back({ray->hit->point, qt(ray->hit->object), true});
-        labels.push_back({normal_tip(*ray->hit, extent), QStringLiteral("n"), false});
+        if (object_named(scene, ray->hit->object) != state.thing()) {
+            labels.push_back({ray->hit->point, qt(ray->hit->object), true});
+        }
+        labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true});
     }
-    for (const Light& light : scene.lights) {
-        labels.push_back({place_of(light, extent), qt(light.name), false});
+    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
+        const bool chosen = state.thing() == Thing{Thing::Kind::light, k};
+        labels.push_back({place_of(scene.lights[k], extent), qt(scene.lights[k].name), chosen});
     }
     if (!from_the_eye) {
         labels.push_back({scene.camera.eye, QStringLiteral("eye"), false});

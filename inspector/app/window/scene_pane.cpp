@@ -5,15 +5,20 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <QMouseEvent>
+#include <QPainter>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "drawing/angles.h"
+#include "drawing/picking.h"
 #include "drawing/standard_views.h"
 #include "state/details.h"
+#include "state/emphasis.h"
 #include "state/outline.h"
+#include "state/thing_details.h"
 #include "window/qt_text.h"
 #include "window/scene_overlay.h"
 
@@ -38,7 +43,10 @@ class SceneCanvas : public QVTKOpenGLNativeWidget {
     void paintGL() override {
         // The widget alone may show once more what VTK drew last, so what is new is drawn here.
         if (pane_->prepare_frame()) {
+            // VTK tells the widget of the new frame, which would have all be painted once more.
+            setAttribute(Qt::WA_UpdatesDisabled, true);
             renderWindow()->Render();
+            setAttribute(Qt::WA_UpdatesDisabled, false);
         }
         QVTKOpenGLNativeWidget::paintGL();
     }
@@ -81,6 +89,13 @@ void ScenePane::obey(const Changes& changes) {
     if (changes.request) {
         obey(*changes.request);
     }
+    if (changes.view_from) {
+        View view = view_;
+        view.eye = changes.view_from->eye;
+        view.target = changes.view_from->target;
+        view.up = changes.view_from->up;
+        change_view(view);
+    }
     if (changes.document || changes.tree || changes.selection || changes.look) {
         redraw();
     }
@@ -95,35 +110,57 @@ void ScenePane::obey(Request request) {
         change_view(camera_view(document, extent_, view_));
     } else if (request == Request::from_side) {
         change_view(side_view(document, extent_, paths_, view_));
+    } else if (request == Request::onto_hit && state_.tree() && state_.selected()->hit) {
+        change_view(hit_view(*state_.selected(), extent_, view_));
     } else if (request == Request::fit_tree) {
         change_view(fitted_above_legend(view_, points_of(paths_, extent_)));
-    } else if (request == Request::fit_ray && state_.tree()) {
+    } else if (request == Request::fit_selection) {
+        fit_selection();
+    }
+}
+
+void ScenePane::fit_selection() {
+    std::vector<Point3> points;
+    if (state_.thing()) {
+        points = corners_of(*state_.document(), extent_, *state_.thing());
+    } else if (state_.tree()) {
         std::vector<RayPath> chosen;
         std::ranges::copy_if(paths_, std::back_inserter(chosen), [&](const RayPath& path) {
             return path.ray == state_.selected()->id;
         });
-        change_view(fitted_above_legend(view_, points_of(chosen, extent_), 0.3));
+        points = points_of(chosen, extent_);
     }
+    change_view(fitted_above_legend(view_, points, 0.3));
 }
 
 void ScenePane::take_document() {
     extent_ = extent_of(*state_.document());
-    mesh_ = scene_mesh(*state_.document(), extent_);
-    stale_shapes_ = true;
+    mesh_pixel_ = 0;
     stale_picture_ = true;
 }
 
 void ScenePane::take_tree() {
     paths_.clear();
     if (state_.tree()) {
-        paths_ = ray_paths(*state_.tree(), extent_, state_.look().hidden);
-        const std::size_t all = state_.tree()->tree.rays.size();
-        const bool cut = state_.look().hidden.empty() && paths_.size() < all;
-        overlay_->set_note(cut ? QStringLiteral("drawn are the %1 weightiest of %2 rays")
-                                     .arg(paths_.size())
-                                     .arg(all)
-                               : QString());
+        paths_ = ray_paths(*state_.tree(), extent_, state_.look().filter);
     }
+    show_notes();
+}
+
+/// What of the tree is not drawn as it is.
+void ScenePane::show_notes() {
+    constexpr std::size_t most = 100'000;
+    QStringList notes;
+    const RayFilter& filter = state_.look().filter;
+    if (state_.tree() && !filter.empty()) {
+        notes << qt(text_of(filter));
+    }
+    if (state_.tree() && paths_.size() >= most && state_.tree()->tree.rays.size() > most) {
+        notes << QStringLiteral("drawn are the %1 weightiest of %2 rays")
+                     .arg(paths_.size())
+                     .arg(state_.tree()->tree.rays.size());
+    }
+    overlay_->set_notes(notes);
 }
 
 void ScenePane::take_picture() {
@@ -133,6 +170,7 @@ void ScenePane::take_picture() {
 
 void ScenePane::change_view(const View& view) {
     view_ = view;
+    stale_view_ = true;
     redraw();
 }
 
@@ -144,9 +182,6 @@ bool ScenePane::looks_from_the_eye() const {
 void ScenePane::redraw() {
     stale_rays_ = true;
     canvas_->update();
-    if (state_.document()) {
-        overlay_->set_labels(scene_labels(state_, extent_, looks_from_the_eye()));
-    }
 }
 
 bool ScenePane::prepare_frame() {
@@ -155,28 +190,78 @@ bool ScenePane::prepare_frame() {
         return false;
     }
     const bool changed = stale_shapes_ || stale_picture_ || stale_rays_;
-    const Palette& palette = palette_of(state_.look().theme);
+    if (const double pixel = mesh_pixel(extent_, view_); pixel != mesh_pixel_) {
+        mesh_pixel_ = pixel;
+        mesh_ = scene_mesh(*state_.document(), extent_, pixel);
+        stale_shapes_ = true;
+    }
     if (std::exchange(stale_shapes_, false)) {
         scene3d_.set_shapes(mesh_, state_.look().shapes);
+        stale_view_ = true;
     }
     if (std::exchange(stale_picture_, false) && !feed_.picture().cells.empty()) {
         const ShownPicture& picture = feed_.picture();
         scene3d_.set_picture(picture.width, picture.height, picture.cells);
+        stale_view_ = true;
     }
-    if (std::exchange(stale_rays_, false)) {
+    if (std::exchange(stale_view_, false)) {
         scene3d_.set_picture_place(picture_corners(*state_.document(), extent_.plane_distance),
                                    !looks_from_the_eye());
-        if (state_.look().shapes == ShapeStyle::see_through && mesh_.objects.size() < 2000) {
+        if (state_.look().shapes == ShapeStyle::see_through) {
             scene3d_.set_shape_order(sorted_triangles(mesh_, extent_, view_.eye));
         }
-        scene3d_.set_landmarks(landmarks(
-            {*state_.document(), state_.selected(), state_.pixel(), extent_, view_, palette}));
-        scene3d_.set_rays(state_.tree() ? ray_meshes({paths_, *state_.tree(), state_.selected()->id,
-                                                      extent_, view_, palette})
-                                        : RayMeshes{});
-        scene3d_.set_view(view_);
+    }
+    if (std::exchange(stale_rays_, false)) {
+        prepare_rays();
     }
     return changed;
+}
+
+/// All that stands beside the shapes: it is made anew for each view and selection.
+void ScenePane::prepare_rays() {
+    const Palette& palette = palette_of(state_.look().theme);
+    scene3d_.set_landmarks(landmarks({*state_.document(), state_.selected(), state_.pixel(),
+                                      extent_, view_, palette, state_.thing(), &mesh_}));
+    RayMeshes rays;
+    AngleDrawing angles;
+    if (state_.tree()) {
+        const PixelTree& tree = *state_.tree();
+        const std::size_t ray = state_.selected()->id;
+        rays = ray_meshes({paths_, tree, ray, extent_, view_, palette, set_aside(state_)});
+        angles = angle_drawing({*state_.document(), tree, ray, extent_, view_, palette,
+                                state_.look().angles, state_.look().ghosts});
+    }
+    scene3d_.set_rays(rays);
+    scene3d_.set_angles(angles);
+    scene3d_.set_view(view_);
+    std::vector<SceneLabel> labels;
+    for (const DrawnWords& words : angles.words) {
+        labels.push_back({words.at, qt(words.text), words.strong, words.out});
+    }
+    std::ranges::copy(scene_labels(state_, extent_, view_, looks_from_the_eye()),
+                      std::back_inserter(labels));
+    std::ranges::stable_partition(labels, &SceneLabel::strong);
+    overlay_->set_labels(std::move(labels));
+}
+
+QImage ScenePane::image(QSize size) {
+    const View before = view_;
+    const auto take_size = [this](QSize to) {
+        canvas_->resize(to);
+        overlay_->resize(to);
+        view_.width = std::max(1, to.width());
+        view_.height = std::max(1, to.height());
+        stale_rays_ = stale_view_ = true;
+    };
+    take_size(size);
+    QImage image = canvas_->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&image);
+    overlay_->render(&painter, {}, {}, {});
+    painter.end();
+    take_size(this->size());
+    view_ = before;
+    redraw();
+    return image;
 }
 
 std::optional<QPointF> ScenePane::place_of(const Point3& p) const {
@@ -189,6 +274,7 @@ void ScenePane::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(canvas_->rect());
     view_.width = std::max(1, width());
     view_.height = std::max(1, height());
+    stale_view_ = true;
     if (state_.document() && !canvas_->isVisible()) {
         obey(Request::from_side);
     }
@@ -243,25 +329,43 @@ std::optional<std::size_t> ScenePane::ray_at(QPointF at) const {
     return path ? std::optional(paths_[*path].ray) : std::nullopt;
 }
 
+/// A light's mark before the rays that end at it, rays before the shapes that they cross.
+std::optional<Thing> ScenePane::thing_at(QPointF at) const {
+    if (!state_.document()) {
+        return std::nullopt;
+    }
+    const auto light =
+        light_at(state_.document()->scene(), extent_, view_, at.x(), at.y(), click_reach);
+    return light        ? light
+           : ray_at(at) ? std::nullopt
+                        : object_at(*state_.document(), view_, at.x(), at.y());
+}
+
 void ScenePane::click(QPointF at) {
-    if (const auto ray = ray_at(at)) {
+    const auto thing = thing_at(at);
+    const auto ray = thing ? std::nullopt : ray_at(at);
+    if (ray) {
         state_.select(*ray);
+    } else {
+        state_.select(thing);
     }
 }
 
 void ScenePane::show_hint(QPointF at, QPoint global) {
-    const auto ray = ray_at(at);
-    canvas_->setCursor(ray ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    if (!ray) {
-        QToolTip::hideText();
-        return;
+    const auto thing = thing_at(at);
+    const auto ray = thing ? std::nullopt : ray_at(at);
+    canvas_->setCursor(thing || ray ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    QString hint;
+    if (thing) {
+        hint = qt(title_of(state_.document()->scene(), *thing));
+    } else if (ray) {
+        OutlineRow row;
+        row.ray = *ray;
+        const OutlineTexts texts = texts_of(*state_.tree(), row);
+        const std::string t = texts.t.empty() ? "" : ", t = " + texts.t;
+        hint = qt(title_of(state_.tree()->tree.rays[*ray]) + ": " + texts.met + t);
     }
-    OutlineRow row;
-    row.ray = *ray;
-    const OutlineTexts texts = texts_of(*state_.tree(), row);
-    const std::string t = texts.t.empty() ? "" : ", t = " + texts.t;
-    QToolTip::showText(global, qt(title_of(state_.tree()->tree.rays[*ray]) + ": " + texts.met + t),
-                       canvas_);
+    hint.isEmpty() ? QToolTip::hideText() : QToolTip::showText(global, hint, canvas_);
 }
 
 }  // namespace raytree::inspector

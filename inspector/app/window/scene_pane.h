@@ -15,7 +15,7 @@ class SceneCanvas;
 class SceneOverlay;
 
 /// The 3D view: dragging turns it about, with the right button or Shift moves it, the wheel zooms,
-/// a click selects a ray.
+/// a click selects a ray, a light, or an object.
 class ScenePane : public QWidget {
     Q_OBJECT
 
@@ -31,6 +31,8 @@ class ScenePane : public QWidget {
     int frames() const { return frames_; }
     /// Asks for a frame with everything as it is now.
     void draw_again() { redraw(); }
+    /// What the pane shows, drawn at another size.
+    QImage image(QSize size);
 
   Q_SIGNALS:
     /// A frame is on the screen.
@@ -48,7 +50,10 @@ class ScenePane : public QWidget {
     void take_document();
     void take_tree();
     void take_picture();
+    void fit_selection();
     void change_view(const View& view);
+    void show_notes();
+    void prepare_rays();
     bool looks_from_the_eye() const;
     /// Hands over what has changed since the last frame; whether anything has.
     bool prepare_frame();
@@ -57,6 +62,7 @@ class ScenePane : public QWidget {
     void click(QPointF at);
     void show_hint(QPointF at, QPoint global);
     std::optional<std::size_t> ray_at(QPointF at) const;
+    std::optional<Thing> thing_at(QPointF at) const;
 
     State& state_;
     PictureFeed& feed_;
@@ -69,8 +75,9 @@ class ScenePane : public QWidget {
     std::vector<RayPath> paths_;
     bool stale_shapes_ = false;  ///< what the next frame has to be given anew
     bool stale_rays_ = false;
+    bool stale_view_ = false;
+    double mesh_pixel_ = 0;  ///< for which mesh_ has been made
     bool stale_picture_ = false;
-    bool first_view_ = true;  ///< until the pane has its size
     QPointF pressed_, last_;
     bool dragged_ = false;
     int frames_ = 0;

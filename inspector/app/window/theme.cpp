@@ -1,13 +1,53 @@
 #include "window/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
 namespace {
+
+/// Fusion's boxes to tick are framed in a shade of the window's colour, invisible on a dark one.
+class Style : public QProxyStyle {
+  public:
+    explicit Style(const Palette& palette)
+        : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))), palette_(palette) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        if (element != PE_IndicatorItemViewItemCheck && element != PE_IndicatorCheckBox) {
+            QProxyStyle::drawPrimitive(element, option, painter, widget);
+            return;
+        }
+        const QRectF box = QRectF(option->rect).adjusted(1.5, 1.5, -1.5, -1.5);
+        const bool enabled = option->state & State_Enabled;
+        const QColor ink = qt(enabled ? palette_.text : palette_.dim_text);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setPen(QPen(qt(palette_.dim_text), 1.2));
+        painter->setBrush(qt(palette_.panel));
+        painter->drawRoundedRect(box, 2, 2);
+        if (option->state & State_On) {
+            painter->setPen(QPen(ink, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            painter->drawPolyline(
+                QPolygonF({box.topLeft() + QPointF(0.22 * box.width(), 0.52 * box.height()),
+                           box.topLeft() + QPointF(0.42 * box.width(), 0.74 * box.height()),
+                           box.topLeft() + QPointF(0.8 * box.width(), 0.26 * box.height())}));
+        } else if (option->state & State_NoChange) {
+            painter->fillRect(QRectF(box.left() + 2.5, box.center().y() - 1, box.width() - 5, 2),
+                              ink);
+        }
+        painter->restore();
+    }
+
+  private:
+    const Palette& palette_;
+};
 
 QString css(Ink ink) { return qt(ink).name(); }
 
@@ -41,6 +81,23 @@ QTreeView::item { padding: 1px 4px 1px 2px; }
 QHeaderView::section { background: @window; color: @dim; border: none;
                        border-bottom: 1px solid @rule; padding: 4px 6px; font-weight: bold; }
 QLabel#aside { color: @dim; }
+QWidget#lesson, QWidget#lesson > QWidget > QWidget#lesson { background: @panel; }
+QLabel#step { font-size: large; }
+QFrame#question { background: @asking; border: 1px solid @rule; border-radius: 6px; }
+QFrame#question QLabel { background: transparent; border: none; }
+QPushButton { color: @text; background: @panel; border: 1px solid @rule; border-radius: 4px;
+              padding: 4px 11px; }
+QPushButton:hover { background: @hover; }
+QPushButton:pressed { background: @checked; }
+QPushButton:focus { border-color: @accent; }
+QPushButton:disabled { color: @faint; }
+QPushButton#onwards { background: @accent; color: @panel; border-color: @accent;
+                      font-weight: bold; }
+QPushButton#quiet { background: transparent; border-color: transparent; color: @accent;
+                    padding: 4px 6px; }
+QPushButton#quiet:hover, QPushButton#quiet:focus { border-color: @rule; }
+QPushButton#choice { padding: 0; text-align: left; }
+
 QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3px; }
 )");
     const std::pair<const char*, Ink> names[] = {
@@ -53,6 +110,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
         {"@hover", mixed(p.window, p.text, 0.06)},
         {"@checked", mixed(p.window, p.accent, 0.2)},
         {"@selected", mixed(p.panel, p.selection, 0.2)},
+        {"@asking", mixed(p.panel, p.accent, 0.07)},
         {"@faint", mixed(p.window, p.dim_text, 0.5)},
     };
     for (const auto& [name, ink] : names) {
@@ -64,7 +122,7 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
 }  // namespace
 
 void apply_theme(const Palette& p) {
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new Style(p));
     QPalette colours;
     colours.setColor(QPalette::Window, qt(p.window));
     colours.setColor(QPalette::WindowText, qt(p.text));

@@ -1,0 +1,190 @@
+#include "state/state.h"
+
+namespace raytree::inspector {
+namespace {
+
+using lesson::AskKind;
+using lesson::NamedView;
+
+constexpr std::chrono::seconds patience(20);  // for the tree of a lesson's pixel
+
+Request request_of(NamedView view) {
+    switch (view) {
+        case NamedView::camera:
+            return Request::through_camera;
+        case NamedView::side:
+            return Request::from_side;
+        case NamedView::tree:
+            return Request::fit_tree;
+        default:
+            return Request::fit_ray;
+    }
+}
+
+ShapeStyle style_of(lesson::ShapeLook look) {
+    switch (look) {
+        case lesson::ShapeLook::solid:
+            return ShapeStyle::solid;
+        case lesson::ShapeLook::wire:
+            return ShapeStyle::wire;
+        default:
+            return ShapeStyle::see_through;
+    }
+}
+
+void take_look(Look& look, const lesson::Show& show) {
+    look.shapes = style_of(show.shapes);
+    look.overlay = show.overlay;
+    look.hidden = {show.hide.begin(), show.hide.end()};
+}
+
+Explained explained_by(const lesson::Show& show) {
+    return {show.eye_space, show.z_buffer, show.shower, show.traversal, show.volumes, show.depth};
+}
+
+/// The tab of the tree's pane that a step wants in front.
+TreePane::Tab tab_of(const lesson::Show& show, TreePane::Tab now) {
+    if (show.panel == lesson::Panel::diagram) {
+        return TreePane::Tab::diagram;
+    }
+    if (show.panel == lesson::Panel::counts) {
+        return TreePane::Tab::counts;
+    }
+    if (show.panel == lesson::Panel::outline) {
+        return TreePane::Tab::outline;
+    }
+    return explained_by(show).nothing() ? now : TreePane::Tab::explained;
+}
+
+}  // namespace
+
+void State::show_lessons(LessonSide pane) {
+    lesson_side_ = pane == LessonSide::lesson && !lesson_ ? LessonSide::contents : pane;
+    tell({.lesson = true});
+}
+
+void State::open_lesson(std::shared_ptr<const lesson::Lesson> lesson, std::size_t step) {
+    lesson_ = std::make_unique<LessonRun>(std::move(lesson));
+    lesson_side_ = LessonSide::lesson;
+    go_to_lesson_step(step);
+}
+
+void State::close_lesson() {
+    lesson_.reset();
+    lesson_side_ = LessonSide::hidden;
+    explain([](Explained& explained) { explained = {}; });
+    tell({.lesson = true});
+}
+
+void State::go_to_lesson_step(std::size_t step) {
+    if (lesson_ && step < lesson_->count()) {
+        lesson_->go_to(step);
+        lesson_side_ = LessonSide::lesson;
+        show_lesson_view();
+    }
+}
+
+void State::show_lesson_view() {
+    if (!lesson_) {
+        return;
+    }
+    const lesson::Show& show = lesson_->here().show;
+    staging_ = true;
+    try {
+        stage(show);
+    } catch (const InputError& error) {
+        message_ = error.what();
+    }
+    staging_ = false;
+    tell({.message = true, .lesson = true});
+}
+
+/// The views as the step wants them.
+void State::stage(const lesson::Show& show) {
+    const auto document = lesson_->document();
+    const Pixel pixel{show.pixel.i, show.pixel.j};
+    if (document_ != document) {
+        this->show({document, pixel, {}});
+    } else {
+        pick(pixel);
+    }
+    poll(patience);
+    select(lesson_->ray());
+    change_look([&](Look& look) { take_look(look, show); });
+    explain([&](Explained& explained) { explained = explained_by(show); });
+    change_tree_pane({tab_of(show, tree_pane_.tab), tree_pane_.fold_below});
+    take_view(show.view);
+}
+
+void State::take_view(const lesson::View& view) {
+    if (const auto* named = std::get_if<NamedView>(&view)) {
+        request(request_of(*named));
+    } else {
+        tell({.view_from = std::get<lesson::FreeView>(view)});
+    }
+}
+
+void State::give_answer(const Json& answer) {
+    if (lesson_) {
+        lesson_->give(answer);
+        tell({.lesson = true});
+    }
+}
+
+void State::tell_answer() {
+    if (!lesson_ || !lesson_->here().ask) {
+        return;
+    }
+    lesson_->tell();
+    tell({.lesson = true});
+}
+
+void State::ask_again() {
+    if (lesson_) {
+        lesson_->forget_answer();
+        tell({.lesson = true});
+    }
+}
+
+void State::try_value(double value) {
+    if (lesson_ && lesson_->here().ask && lesson_->here().ask->kind == AskKind::value) {
+        exchange(lesson_->document_with(value));
+    }
+}
+
+/// Another document in the place of this one, seen in the same way.
+void State::exchange(std::shared_ptr<const Document> document) {
+    document_ = std::move(document);
+    const std::size_t selected = selected_;
+    trace();
+    poll(patience);
+    selected_ = tree_ && selected < tree_->tree.rays.size() ? selected : 0;
+    tell({.document = true, .tree = true, .selection = true, .message = true});
+    take_view(lesson_->here().show.view);
+}
+
+void State::explain(const std::function<void(Explained&)>& change) {
+    change(explained_);
+    tell({.explained = true});
+}
+
+void State::answer_by_pixel() {
+    const bool asked = lesson_ && !staging_ && lesson_->here().ask &&
+                       lesson_->here().ask->kind == AskKind::pixel &&
+                       document_ == lesson_->document();
+    if (asked) {
+        give_answer(Json::array({pixel_.i, pixel_.j}));
+    }
+}
+
+void State::answer_by_ray() {
+    if (!lesson_ || staging_ || !lesson_->here().ask || lesson_->here().ask->kind != AskKind::ray) {
+        return;
+    }
+    const lesson::Pixel asked = lesson_->here().show.pixel;
+    if (document_ == lesson_->document() && pixel_ == Pixel{asked.i, asked.j}) {
+        give_answer(selected_);
+    }
+}
+
+}  // namespace raytree::inspector

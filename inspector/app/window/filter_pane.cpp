@@ -1,0 +1,167 @@
+#include "window/filter_pane.h"
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <algorithm>
+
+#include "state/commands.h"
+#include "tree/explain.h"
+#include "window/icons.h"
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+namespace {
+
+constexpr const char* titles[] = {"Kind", "Level", "Light", "Object met"};
+constexpr double weights[] = {0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1};
+
+Qt::CheckState tick_of(Shown shown) {
+    return shown == Shown::full     ? Qt::Checked
+           : shown == Shown::dimmed ? Qt::PartiallyChecked
+                                    : Qt::Unchecked;
+}
+Shown shown_of(Qt::CheckState tick) {
+    return tick == Qt::Checked            ? Shown::full
+           : tick == Qt::PartiallyChecked ? Shown::dimmed
+                                          : Shown::hidden;
+}
+
+QString name_of(const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toString(); }
+
+}  // namespace
+
+FilterPane::FilterPane(State& state, QWidget* parent) : QWidget(parent), state_(state) {
+    auto* const layout = new QGridLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    for (int k = 0; k < 4; ++k) {
+        auto* const list = new QTreeWidget;
+        list->setRootIsDecorated(false);
+        list->setUniformRowHeights(true);
+        list->setAccessibleName(QString::fromUtf8(titles[k]));
+        list->setHeaderLabels({QString::fromUtf8(titles[k]), QStringLiteral("rays")});
+        list->header()->setStretchLastSection(false);
+        list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+        list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+        connect(list, &QTreeWidget::itemChanged, this, &FilterPane::take_click);
+        layout->addWidget(list, 0, k);
+        layout->setColumnStretch(k, k == 1 ? 2 : 3);
+        lists_.push_back(list);
+    }
+    layout->addWidget(make_weights(), 1, 0, 1, 4);
+    state_.observe([this](const Changes& changes) {
+        if (isVisible() && (changes.tree || changes.look)) {
+            renew();
+        }
+    });
+}
+
+QWidget* FilterPane::make_weights() {
+    auto* const box = new QWidget;
+    auto* const row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    weight_ = new QComboBox;
+    lighter_ = new QComboBox;
+    for (const double weight : weights) {
+        weight_->addItem(weight > 0 ? QStringLiteral("less than ") + qt(number_text(weight))
+                                    : QStringLiteral("any share"),
+                         weight);
+    }
+    lighter_->addItems({QStringLiteral("dimmed"), QStringLiteral("hidden")});
+    weight_->setAccessibleName(QStringLiteral("Least share of the pixel"));
+    lighter_->setAccessibleName(QStringLiteral("Rays with a smaller share"));
+    const auto send = [this] {
+        if (!renewing_) {
+            state_.change_look([this](Look& look) {
+                look.filter.least_weight = weight_->currentData().toDouble();
+                look.filter.lighter = lighter_->currentIndex() == 0 ? Shown::dimmed : Shown::hidden;
+            });
+        }
+    };
+    connect(weight_, qOverload<int>(&QComboBox::currentIndexChanged), this, send);
+    connect(lighter_, qOverload<int>(&QComboBox::currentIndexChanged), this, send);
+    auto* const all = new QPushButton(QStringLiteral("Show all"));
+    connect(all, &QPushButton::clicked, this, [this] { run_command(state_, "filter.clear"); });
+    auto* const hint = new QLabel(QStringLiteral("ticked: shown · half: dimmed · empty: hidden"));
+    hint->setObjectName(QStringLiteral("aside"));
+    hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    row->addWidget(new QLabel(QStringLiteral("Rays that are")));
+    row->addWidget(weight_);
+    row->addWidget(new QLabel(QStringLiteral("of the pixel are")));
+    row->addWidget(lighter_);
+    row->addWidget(hint, 1);
+    row->addWidget(all);
+    return box;
+}
+
+void FilterPane::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    renew();
+}
+
+void FilterPane::renew() {
+    renewing_ = true;
+    const RayFilter& filter = state_.look().filter;
+    std::vector<QString> current;
+    for (QTreeWidget* const list : lists_) {
+        current.push_back(list->currentItem() ? name_of(list->currentItem()) : QString());
+        list->clear();
+    }
+    if (state_.tree()) {
+        for (const CountedGroup& group : groups_of(*state_.tree())) {
+            const auto k = static_cast<std::size_t>(group.group.by);
+            add(lists_[k], group);
+            if (qt(group.group.name) == current[k]) {
+                lists_[k]->setCurrentItem(
+                    lists_[k]->topLevelItem(lists_[k]->topLevelItemCount() - 1));
+            }
+        }
+    }
+    const auto place = std::ranges::find(weights, filter.least_weight) - weights;
+    weight_->setCurrentIndex(std::min(static_cast<int>(place), weight_->count() - 1));
+    lighter_->setCurrentIndex(filter.lighter == Shown::dimmed ? 0 : 1);
+    renewing_ = false;
+}
+
+void FilterPane::add(QTreeWidget* list, const CountedGroup& counted) {
+    auto* const item =
+        new QTreeWidgetItem(list, {qt(counted.group.name), QString::number(counted.rays)});
+    item->setData(0, Qt::UserRole, qt(counted.group.name));
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
+                   Qt::ItemIsUserTristate);
+    item->setCheckState(0, tick_of(state_.look().filter.of(counted.group)));
+    item->setTextAlignment(1, Qt::AlignRight);
+    item->setToolTip(0, qt(counted.group.name));
+}
+
+QTreeWidgetItem* FilterPane::item_of(const RayGroup& group) const {
+    QTreeWidget* const list = lists_[static_cast<std::size_t>(group.by)];
+    for (int k = 0; k < list->topLevelItemCount(); ++k) {
+        if (name_of(list->topLevelItem(k)) == qt(group.name)) {
+            return list->topLevelItem(k);
+        }
+    }
+    return nullptr;
+}
+
+void FilterPane::take_click(QTreeWidgetItem* item) {
+    if (renewing_) {
+        return;
+    }
+    const auto by =
+        static_cast<RayGroup::By>(std::ranges::find(lists_, item->treeWidget()) - lists_.begin());
+    const RayGroup group{by, name_of(item).toStdString()};
+    const Shown shown = shown_of(item->checkState(0));
+    // The list is filled anew while this item is still being changed: only afterwards.
+    QMetaObject::invokeMethod(
+        this,
+        [this, group, shown] {
+            state_.change_look([&](Look& look) { look.filter.set(group, shown); });
+        },
+        Qt::QueuedConnection);
+}
+
+}  // namespace raytree::inspector

@@ -1,0 +1,96 @@
+#include "accel/leaf_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace raytree {
+namespace {
+
+constexpr std::size_t lanes_read = 8;  ///< whole registers are read, beyond the last item too
+
+}  // namespace
+
+LeafFilter::LeafFilter(const ShapeSet<double>& shapes, const WideBvh& bvh) {
+    bool any = false;
+    bool triangles = false;
+    bvh.for_each_leaf([&](WideBvh::Ref leaf) {
+        any |= leaf.kind() != other;
+        triangles |= leaf.kind() == triangle;
+    });
+    if (!any) {
+        return;
+    }
+    scale_ = bvh.scale();
+    inverse_scale_ = 1 / scale_;
+    floats_.resize(numbers * bvh.items().size() + lanes_read);
+    const Vec3<double> shift = bvh.center() * scale_;
+    const bool near_origin = largest_component(shift) <= 4;
+    if (triangles && near_origin && holds_exactly(shapes, bvh)) {
+        shift_ = shift;
+        reach_ = 1 + largest_component(shift);
+    } else {
+        center_ = bvh.center();
+        if (triangles) {
+            exact_.resize(numbers * bvh.items().size());
+        }
+    }
+    bvh.for_each_leaf([&](WideBvh::Ref leaf) { copy_leaf(shapes, bvh, leaf); });
+}
+
+/// Whether the floats of all triangles, scaled but not moved, are their vertices to the last bit.
+bool LeafFilter::holds_exactly(const ShapeSet<double>& shapes, const WideBvh& bvh) const {
+    bool exact = true;
+    bvh.for_each_leaf([&](WideBvh::Ref leaf) {
+        for (std::size_t lane = 0; exact && leaf.kind() == triangle && lane < leaf.count();
+             ++lane) {
+            const auto shape = shapes.triangle(shapes[bvh.items()[leaf.first() + lane]]);
+            for (const Vec3<double>& v : shape.vertices) {
+                for (int axis = 0; axis < 3; ++axis) {
+                    const auto copy = static_cast<float>(v[axis] * scale_);
+                    exact &= static_cast<double>(copy) * inverse_scale_ == v[axis];
+                }
+            }
+        }
+    });
+    return exact;
+}
+
+void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, WideBvh::Ref leaf) {
+    const std::size_t n = leaf.count();
+    float* const row = &floats_[numbers * leaf.first()];
+    for (std::size_t lane = 0; lane < n; ++lane) {
+        const std::size_t item = leaf.first() + lane;
+        const Primitive primitive = shapes[bvh.items()[item]];
+        if (leaf.kind() == triangle) {
+            const auto shape = shapes.triangle(primitive);
+            for (std::size_t k = 0; k < numbers; ++k) {
+                const int axis = static_cast<int>(k % 3);
+                const double number = shape.vertices[k / 3][axis];
+                row[k * n + lane] = static_cast<float>((number - center_[axis]) * scale_);
+                if (!exact_.empty()) {
+                    exact_[numbers * item + k] = number;
+                }
+            }
+        } else if (leaf.kind() == sphere) {
+            const SphereShape<double>& shape = shapes.sphere(primitive);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int axis = static_cast<int>(k);
+                row[k * n + lane] =
+                    static_cast<float>((shape.center[axis] - center_[axis]) * scale_);
+            }
+            row[3 * n + lane] = static_cast<float>(shape.radius * scale_);
+        } else if (leaf.kind() == cone) {
+            const ConeShape<double>& shape = shapes.cone(primitive);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int axis = static_cast<int>(k);
+                row[k * n + lane] = static_cast<float>((shape.base[axis] - center_[axis]) * scale_);
+                row[(3 + k) * n + lane] = static_cast<float>(shape.axis.vec()[axis]);
+            }
+            const double apex_radius = shape.base_radius + shape.slope * shape.height;
+            row[6 * n + lane] =
+                static_cast<float>(std::max(shape.base_radius, apex_radius) * scale_);
+        }
+    }
+}
+
+}  // namespace raytree

@@ -1,0 +1,30 @@
+#include "trace/render_tile.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "trace/tracer.h"
+
+namespace raytree {
+namespace plain {
+#include "trace/render_tile.inl"
+}  // namespace plain
+
+template <class T> TileTracer<T> tile_tracer(const Plan& plan) {
+    return plain::choose_tile_tracer<T>(plan);
+}
+
+template <> TileTracer<double> tile_tracer<double>(const Plan& plan) {
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (&kernels() == &avx2_kernels) {
+        return tile_tracer_avx2(plan);
+    }
+#endif
+    return plain::choose_tile_tracer<double>(plan);
+}
+
+template TileTracer<float> tile_tracer<float>(const Plan&);
+template TileTracer<Quad> tile_tracer<Quad>(const Plan&);
+
+}  // namespace raytree

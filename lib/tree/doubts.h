@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tree/error_bounds.h"
+#include "tree/ray_noise.h"
+
+/// Finds what could have gone either way in a recorded tree, for error_bounds.
+namespace raytree {
+
+/// "3 ulp", "1.2e+04 ulp"
+std::string ulps_text(double ulps);
+
+/// What rounding does at a hit of a shape, the ray taken as exact.
+struct ShapeRounding {
+    double distance = 0;  ///< from the origin to the surface, measured along the normal
+    double point = 0;     ///< of the hit point, once it is put back on the surface
+    double normal = 0;
+};
+
+/// The surface that a ray leaves, from its front or its back.
+struct LeftSurface {
+    PrimitiveId primitive = no_primitive;
+    bool front = true;
+};
+
+class DoubtFinder {
+  public:
+    DoubtFinder(const World<Quad>& reference, double unit_roundoff)
+        : reference_(reference), u_(unit_roundoff) {}
+
+    ShapeRounding rounding_of(PrimitiveId id, const Vec3<double>& origin, double t) const;
+
+    /// Bound of the error of a root of the shape, for a ray of this noise.
+    double t_error(PrimitiveId id, const TreeRay<double>& ray, double t,
+                   const NoiseList& noise) const;
+
+    /// Whether the ray could have met something else than `met`, or nothing.
+    void carrying_ray(const TreeRay<double>& ray, const std::optional<LeftSurface>& from,
+                      const std::optional<PrimitiveId>& met, const NoiseList& noise, double path,
+                      std::vector<Doubt>& doubts) const;
+    void shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bool front,
+                    const std::optional<PrimitiveId>& blocker, ShadowMode mode,
+                    const NoiseList& noise, std::vector<Doubt>& doubts) const;
+
+    /// Whether what follows from a hit could have been decided the other way: its side, total
+    /// internal reflection, and branches whose weight is near the smallest.
+    void branches(const TreeRay<double>& ray, RayBounds& bounds, double speed,
+                  const Settings& settings) const;
+
+  private:
+    struct Probe;
+
+    template <class Meets> void around(const TreeRay<double>& ray, Going going, double reach,
+                                       const NoiseList& noise, const std::string& expected,
+                                       Meets&& meets, std::vector<Doubt>& doubts) const;
+    std::string name_of(std::optional<PrimitiveId> id) const;
+
+    const World<Quad>& reference_;
+    double u_;
+};
+
+}  // namespace raytree

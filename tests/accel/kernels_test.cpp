@@ -1,0 +1,227 @@
+#include "accel/kernels.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "accel/intersector.h"
+#include "support/scenes.h"
+
+using namespace raytree;
+
+namespace {
+
+std::vector<const Kernels*> all_kernels() {
+    std::vector<const Kernels*> list = {&plain_kernels};
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        list.push_back(&avx2_kernels);
+    }
+#endif
+    return list;
+}
+
+Searched searched(const Scene& scene) {
+    Searched result{ShapeSet<double>(scene)};
+    result.bvh = hierarchy_of(result.shapes);
+    result.filter = LeafFilter(result.shapes, result.bvh);
+    return result;
+}
+
+Hit<double> brute_force(const ShapeSet<double>& shapes, const Query<double>& query) {
+    Hit<double> best{Real<double>::infinity, no_primitive};
+    for (PrimitiveId id = 0; id < shapes.size(); ++id) {
+        const auto roots = shapes.intersect(id, query.ray, query.leaving);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
+            const Hit<double> hit{roots.t[k], id};
+            best = query.interval.contains(hit.t) && hit < best ? hit : best;
+        }
+    }
+    return best.primitive == no_primitive ? Hit<double>{} : best;
+}
+
+/// Every way to ask gives what brute force gives, to the last bit.
+void check_all(const Scene& scene, const std::vector<Query<double>>& queries) {
+    const Searched s = searched(scene);
+    std::vector<Hit<double>> expected;
+    for (const auto& query : queries) {
+        expected.push_back(brute_force(s.shapes, query));
+    }
+    for (const Kernels* kernels : all_kernels()) {
+        CAPTURE(kernels == &plain_kernels);
+        std::vector<Hit<double>> each(queries.size()), packets(queries.size());
+        std::vector<std::uint8_t> any_each(queries.size()), any_packets(queries.size());
+        kernels->closest_of_each(s, queries, each);
+        kernels->closest_in_packets(s, queries, packets);
+        kernels->any_of_each(s, queries, any_each);
+        kernels->any_in_packets(s, queries, any_packets);
+        std::size_t differ = 0;
+        for (std::size_t k = 0; k < queries.size(); ++k) {
+            std::size_t tests = 0;
+            Hit<double> one = kernels->closest(s, queries[k], &tests);
+            one = one.primitive == no_primitive ? Hit<double>{} : one;
+            const bool met = expected[k].primitive != no_primitive;
+            for (const Hit<double>& hit : {one, each[k], packets[k]}) {
+                differ += hit.primitive != expected[k].primitive || hit.t != expected[k].t ? 1 : 0;
+            }
+            differ += kernels->any(s, queries[k], nullptr) != met ? 1 : 0;
+            differ += (any_each[k] != 0) != met || (any_packets[k] != 0) != met ? 1 : 0;
+        }
+        CHECK(differ == 0);
+    }
+}
+
+class Rays {
+  public:
+    Rays(unsigned seed, double reach, const Point& center)
+        : random_(seed), reach_(reach), center_(center) {}
+
+    Point point() { return {uniform_(random_), uniform_(random_), uniform_(random_)}; }
+
+    /// Some towards each other's neighbourhood, some along an axis, some cut short.
+    std::vector<Query<double>> any_order(std::size_t count) {
+        std::vector<Query<double>> queries(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            Point direction = point();
+            if (k % 5 == 0) {
+                direction[static_cast<int>(k % 3)] = 0;
+            }
+            queries[k].ray = {center_ + reach_ * point(), UnitVec3<double>::of(direction).vec(), 0};
+            if (k % 4 == 0) {
+                queries[k].interval = {0.1 * reach_, reach_};
+            }
+        }
+        return queries;
+    }
+
+    /// From one point in nearly one direction, which goes across all octants.
+    std::vector<Query<double>> coherent(std::size_t count, const Point& eye, double angle) {
+        std::vector<Query<double>> queries(count);
+        for (Query<double>& query : queries) {
+            const Point towards = center_ - eye + angle * reach_ * point();
+            query.ray = {eye, UnitVec3<double>::of(towards).vec(), 0};
+        }
+        return queries;
+    }
+
+  private:
+    std::mt19937_64 random_;
+    std::uniform_real_distribution<double> uniform_{-1, 1};
+    double reach_;
+    Point center_;
+};
+
+void check_scene(const Scene& scene, double reach, const Point& center) {
+    Rays rays(3, reach, center);
+    check_all(scene, rays.any_order(203));
+    check_all(scene, rays.coherent(100, center + Point(0, 0, 3 * reach), 0.3));
+    check_all(scene, rays.coherent(50, center + Point(1e4 * reach, 20, 0), 0.3));
+    check_all(scene, rays.coherent(50, center + Point(0.01 * reach, 0, 0), 2));
+}
+
+/// A closed ball of triangles about `center`; coordinates are floats if asked for.
+Mesh ball(const Point& center, double radius, bool floats) {
+    Mesh mesh;
+    constexpr int columns = 24, rows = 12;
+    for (int j = 0; j <= rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double a = 6.283185307179586 * i / columns, b = 3.141592653589793 * j / rows;
+            const Point p = center + radius * Point(std::sin(b) * std::cos(a),
+                                                    std::sin(b) * std::sin(a), std::cos(b));
+            mesh.vertices.push_back(floats ? vector_cast<double>(vector_cast<float>(p)) : p);
+        }
+    }
+    for (int j = 0; j < rows; ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const int a = j * columns + i, b = j * columns + (i + 1) % columns;
+            mesh.triangles.push_back({{{a}, {b}, {b + columns}}});
+            mesh.triangles.push_back({{{a}, {b + columns}, {a + columns}}});
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("kernels: every one of them finds what brute force finds, at every scale and offset") {
+    for (const double scale : {1e-9, 1.0, 1e9}) {
+        for (const double offset : {0.0, 1e3, 1e8}) {
+            CAPTURE(scale);
+            CAPTURE(offset);
+            const Point center(offset * scale);
+            check_scene(test::random_shapes(300, 11, scale, center), 2 * scale, center);
+        }
+    }
+}
+
+TEST_CASE("kernels: meshes whose vertices are floats, and whose are not") {
+    for (const bool floats : {true, false}) {
+        for (const double offset : {0.0, 3.0, 1e5}) {
+            CAPTURE(floats);
+            CAPTURE(offset);
+            Scene scene;
+            scene.materials.push_back({});
+            test::add(scene, ball(Point(offset), 1, floats));
+            test::add(scene, ball(Point(offset + 0.5), 0.01, floats));
+            test::add(scene, Sphere{Point(offset - 0.5), 0.2});
+            check_scene(scene, 1.5, Point(offset));
+        }
+    }
+}
+
+TEST_CASE("kernels: rays at the vertices and edges of a closed mesh all meet it") {
+    Scene scene;
+    scene.materials.push_back({});
+    test::add(scene, ball({0.3, 0.2, 0.1}, 1, false));
+    const Mesh& mesh = std::get<Mesh>(scene.objects[0].shape);
+    const Searched s = searched(scene);
+    std::vector<Query<double>> queries;
+    for (const Mesh::Triangle& triangle : mesh.triangles) {
+        for (const double share : {0.0, 0.5, 0.37}) {
+            const Point a = mesh.vertices[static_cast<std::size_t>(triangle[0].vertex)];
+            const Point b = mesh.vertices[static_cast<std::size_t>(triangle[1].vertex)];
+            const Point inside(0.31, 0.17, 0.12);
+            const Point aim = a + share * (b - a);
+            queries.push_back(
+                {{inside, UnitVec3<double>::of(aim - inside).vec(), 0}, no_primitive, {}});
+        }
+    }
+    for (const Kernels* kernels : all_kernels()) {
+        std::vector<Hit<double>> hits(queries.size());
+        std::vector<std::uint8_t> met(queries.size());
+        kernels->closest_of_each(s, queries, hits);
+        kernels->any_in_packets(s, queries, met);
+        CHECK(std::count(met.begin(), met.end(), 0) == 0);
+        CHECK(std::count_if(hits.begin(), hits.end(), [](const Hit<double>& hit) {
+                  return hit.primitive == no_primitive;
+              }) == 0);
+    }
+}
+
+TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {
+    Rays rays(1, 1, Point(0.0));
+    Scene scene;
+    scene.materials.push_back({});
+    check_all(scene, rays.any_order(20));
+    test::add(scene, Sphere{{0, 0, 0}, 1});
+    check_all(scene, {});
+    check_all(scene, rays.any_order(1));
+    check_all(scene, rays.any_order(17));
+}
+
+TEST_CASE("kernels: a triangle's float copies give it back to the last bit") {
+    for (const bool floats : {true, false}) {
+        Scene scene;
+        scene.materials.push_back({});
+        test::add(scene, ball({0.1, 0, 2}, 1, floats));
+        const Searched s = searched(scene);
+        s.bvh.for_each_leaf([&](WideBvh::Ref leaf) {
+            for (std::size_t lane = 0; lane < leaf.count(); ++lane) {
+                const PrimitiveId id = s.bvh.items()[leaf.first() + lane];
+                CHECK(s.filter.triangle_of(leaf, lane).vertices ==
+                      s.shapes.triangle(s.shapes[id]).vertices);
+            }
+        });
+    }
+}
