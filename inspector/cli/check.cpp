@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "check/catalogue_text.h"
 #include "check/check.h"
 #include "check/conventions.h"
 #include "check_run.h"
@@ -32,6 +33,7 @@ struct Arguments {
     std::string reference;
     std::vector<std::string> other_scenes;
     bool merge = false;
+    bool catalogue = false;
 };
 
 /// Leaves the scene in the run.
@@ -59,6 +61,13 @@ int check(Arguments& arguments) {
     CheckRun& run = arguments.run;
     run.threads = arguments.scene.threads;
     expect_writable(run.output, arguments.scene.file);
+    if (arguments.catalogue) {
+        write_output(run.output, check::catalogue_markdown());
+        return done;
+    }
+    if (run.submissions.empty()) {
+        throw Misuse("SUBMISSION is required (see raytree check --help)");
+    }
     if (arguments.merge) {
         const bool judges = !arguments.scene.file.empty() || !arguments.reference.empty() ||
                             run.rubric || run.options.profile;
@@ -130,6 +139,8 @@ void add_reporting(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
                   run.as = static_cast<check::ReportFormat>(one_of("--as", text, format_words));
               });
     app.add_flag("--anonymous", run.anonymous, "numbers instead of the files' names");
+    app.add_flag("--catalogue", arguments->catalogue,
+                 "all mistakes, conventions and profiles as Markdown");
     app.add_flag("--merge", arguments->merge,
                  "the files are reports (--as json) of other runs;\njoin them into one");
 }
@@ -143,8 +154,7 @@ Command check_command(CLI::App& program) {
     app->footer(examples);
     app->add_option("SUBMISSION", arguments->run.submissions,
                     "ray trees; folders or archives (zip, tar, tar.gz) of them")
-        ->option_text(" ")
-        ->required();
+        ->option_text(" ");
     add_value(*app, "--scene", "SCENE", "the scene that the trees are of",
               [arguments](const std::string& text) { arguments->scene.file = text; });
     add_judging(*app, arguments);

@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import checking
+import homework
 import inputs
 import lessons
 import pictures
@@ -114,6 +115,7 @@ def bad_input(bench):
 
 
 GROUPS = {"commands": commands, "bad_input": bad_input, "check": checking.checking,
+          "homework": homework.homework,
           "limits": pictures.limits, "pictures": pictures.pictures,
           "shared_data": pictures.shared_data, "terminal": terminal.terminal,
           "lesson": lessons.lessons}
