@@ -123,7 +123,7 @@ template <class T> class Comparison {
         if (!(largest_component(direction) > 0)) {
             return;
         }
-        const double reach = random.chance(0.2) ? 1e4 : 1.5;
+        const double reach = random.chance(0.2) ? random.log_uniform(1e1, 1e14) : 1.5;
         const Point eye = random.chance(0.2) ? center : center + reach * scale * random.in_cube();
         Ray<T> ray{vector_cast<T>(eye), UnitVec3<T>::of(vector_cast<T>(direction)).vec(), T(0)};
         if (reach > 2) {  // towards the shapes
