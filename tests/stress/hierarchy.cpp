@@ -37,9 +37,13 @@ void scatter(Random& random, Scene& scene, std::size_t count, double scale, cons
 /// Everything in one place: the same shapes again and again.
 void coincide(Random& random, Scene& scene, std::size_t count, double scale, const Point& center) {
     const Point at = center + scale * random.in_cube();
+    std::array<Shape, 5> shapes;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        Random same(7, k);
+        shapes[k] = any_shape(same, at, scale);
+    }
     for (std::size_t k = 0; k < count; ++k) {
-        Random same(7, k % 5);
-        add(scene, any_shape(same, at, scale));
+        add(scene, shapes[k % shapes.size()]);
     }
 }
 
