@@ -44,20 +44,23 @@ inline void set_out(const Searched& searched, const Query<double>& query, Travel
     const unsigned z = ax > ay ? (az > ax ? 2 : 0) : (az > ay ? 2 : 1);
     ray.axis = {z == 2 ? 0 : z + 1, z == 0 ? 2 : z - 1, z};
     const Vec3<double> o = searched.filter.origin_of(ray.box);
+    constexpr double farthest = 1e18;  // products stay finite; the error is far larger there
     for (std::size_t k = 0; k < 3; ++k) {
         const int a = static_cast<int>(ray.axis[k]);
-        ray.origin[k] = static_cast<float>(o[a]);
+        ray.origin[k] = static_cast<float>(std::clamp(o[a], -farthest, farthest));
         ray.direction[k] = static_cast<float>(d[a]);
     }
     const float inverse = ray.box.inverse[z];
     ray.shear_x = ray.direction[0] * inverse;
     ray.shear_y = ray.direction[1] * inverse;
     // With R = |v| + |o|: 2 u R for the copies and their difference, as much again through the
-    // shear, 3 u R for the shear's own rounding, 3 u R for the product and the sum.
+    // shear, 3 u R for the shear's own rounding, 3 u R for the product and the sum; and twice what
+    // double has lost of a far origin, before and after the shear.
     constexpr float roundoff = 0x1p-24F;
     ray.error = 12 * roundoff *
-                (static_cast<float>(searched.filter.reach()) + std::abs(ray.origin[0]) +
-                 std::abs(ray.origin[1]) + std::abs(ray.origin[2]));
+                    (static_cast<float>(searched.filter.reach()) + std::abs(ray.origin[0]) +
+                     std::abs(ray.origin[1]) + std::abs(ray.origin[2])) +
+                2 * static_cast<float>(ray.box.error);
 }
 
 /// Where the ray enters the eight children, and which of them it meets.

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -77,12 +78,13 @@ class WideBvh {
         std::array<float, 3> far_bias;   ///< and at the far planes
         double scale = 1;                ///< t here is (t in the world - start) * scale
         double start = 0;
+        double error = 0;     ///< bound on how far double has moved a far origin, and t with it
         Vec3<double> origin;  ///< where t here is 0
 
         /// An upper bound of the world's t in these coordinates.
         float upper(double t) const {
             const double here = (t - start) * scale;
-            return here < 0 ? -1.0F : static_cast<float>(here * (1 + 0x1p-20));
+            return here < -error ? -1.0F : static_cast<float>(std::max(here, 0.0) * (1 + 0x1p-20));
         }
     };
 
@@ -151,6 +153,12 @@ inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
         ray.origin = along(ray.origin, skipped, direction);
         ray.start = skipped / scale_;
     }
+    ray.error = 16 * double_roundoff * (away + 1);
+    // Infinite biases would make the boxes of children that are not there no numbers, and met.
+    const auto bias = [](double x) {
+        constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
+        return static_cast<float>(std::clamp(x, -largest, largest));
+    };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int a = static_cast<int>(axis);
         const double slope =
@@ -160,10 +168,9 @@ inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
         // 8 float roundings for the two products, the difference and the inverse; the rest is what
         // double has lost on the way from a far origin.
         const double reach = std::abs(ray.origin[a]) + 1;
-        const double error =
-            std::abs(inverse) * (8 * float_roundoff * reach + 16 * double_roundoff * (away + 1));
-        ray.near_bias[axis] = static_cast<float>(inverse * ray.origin[a] + error);
-        ray.far_bias[axis] = static_cast<float>(inverse * ray.origin[a] - error);
+        const double error = std::abs(inverse) * (8 * float_roundoff * reach + ray.error);
+        ray.near_bias[axis] = bias(inverse * ray.origin[a] + error);
+        ray.far_bias[axis] = bias(inverse * ray.origin[a] - error);
     }
     return ray;
 }
