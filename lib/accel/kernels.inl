@@ -251,7 +251,7 @@ inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
         case LeafFilter::cone:
             return meet_cone(searched, leaf, lane, ray, start);
         default:
-            return searched.shapes.intersect(id(), ray.query->ray, leaving);
+            return searched.shapes->intersect(id(), ray.query->ray, leaving);
     }
 }
 
@@ -381,9 +381,9 @@ Hit<double> closest(const Searched& searched, const Query<double>& query, std::s
     return searched.bvh.empty() ? Hit<double>{} : follow_one<false>(searched, query, tests).best;
 }
 
-bool any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
-    return !searched.bvh.empty() &&
-           follow_one<true>(searched, query, tests).best.primitive != no_primitive;
+PrimitiveId any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
+    return searched.bvh.empty() ? no_primitive
+                                : follow_one<true>(searched, query, tests).best.primitive;
 }
 
 /// Where the answers go.
