@@ -77,6 +77,39 @@ TEST_CASE("intersector: the hierarchy finds what brute force finds, at every sca
     }
 }
 
+TEST_CASE("intersector: from as far away as a scene's numbers go") {
+    const Scene scene = test::random_shapes(300, 11, 1, Point(0.0));
+    const Intersector<double> intersector(scene);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    NoTestCount count;
+    for (const double away : {1e7, 1e9, 1e11, 1e13, 1e15, 1e16, 1e17, 1e20, 1e36, 1e60, 1e150}) {
+        CAPTURE(away);
+        for (int k = 0; k < 200; ++k) {
+            const auto point = [&] {
+                return Point(uniform(random), uniform(random), uniform(random));
+            };
+            const Point aim = point();
+            Point eye = away * UnitVec3<double>::of(point()).vec();
+            if (k % 2 == 0) {  // on an axis, where a ray from any distance can be aimed
+                eye = Point(0.0);
+                eye[k % 3] = away;
+            }
+            const Point way = k % 2 == 0 ? -eye : aim - eye;
+            const Ray<double> ray{eye, UnitVec3<double>::of(way).vec(), 0};
+            const auto expected = brute_force(intersector.shapes(), ray, no_primitive, {});
+            const auto all = intersector.all(ray, no_primitive, {}, count);
+            const auto closest = intersector.closest(ray, no_primitive, {}, count);
+            REQUIRE(all.size() == expected.size());
+            REQUIRE(closest.has_value() == !expected.empty());
+            if (closest) {
+                CHECK(closest->t == expected.front().t);
+                CHECK(closest->primitive == expected.front().primitive);
+            }
+        }
+    }
+}
+
 TEST_CASE("intersector: coincident, nested and flat shapes") {
     Scene scene;
     scene.materials.push_back({});
