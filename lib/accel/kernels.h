@@ -35,9 +35,13 @@ struct Kernels {
 extern const Kernels plain_kernels;
 #if defined(__x86_64__) && defined(__GNUC__)
 extern const Kernels avx2_kernels;
+extern const Kernels avx512_kernels;
 #endif
 
-/// Those for the processor that the program runs on.
+/// Those that the processor can run, the fastest last.
+std::span<const Kernels* const> runnable_kernels();
+
+/// The fastest of them.
 const Kernels& kernels();
 
 }  // namespace raytree

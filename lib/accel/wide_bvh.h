@@ -106,7 +106,13 @@ class WideBvh {
     /// Calls `visit(ref)` for each leaf.
     template <class Visit> void for_each_leaf(Visit&& visit) const;
 
-    BoxRay prepare(const Vec3<double>& origin, const Vec3<double>& direction) const;
+    BoxRay prepare(const Vec3<double>& origin, const Vec3<double>& direction) const {
+        BoxRay ray;
+        prepare(origin, direction, ray);
+        return ray;
+    }
+    /// The same, written where it is to be: a ray written number by number is slow to copy.
+    void prepare(const Vec3<double>& origin, const Vec3<double>& direction, BoxRay& ray) const;
 
     /// Visits, roughly from near to far, every item whose box the ray meets at 0 <= t <= t_max.
     /// `visit(items, t_max)` gets the items of a leaf and returns the t_max from then on, in the
@@ -136,16 +142,16 @@ class WideBvh {
     std::vector<std::uint32_t> items_;
 };
 
-inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
-                                        const Vec3<double>& direction) const {
-    constexpr double flattest = 1e-18;
+inline void WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& direction,
+                             BoxRay& ray) const {
+    constexpr float flattest = 1e-18F;
     constexpr double float_roundoff = 0x1p-24;
     constexpr double double_roundoff = 0x1p-53;
     constexpr double scene_radius = 2;  // boxes lie within 1 of the centre on each axis
 
-    BoxRay ray;
     ray.origin = (origin - center_) * scale_;
     ray.scale = scale_;
+    ray.start = 0;
     double away = largest_component(ray.origin);
     if (away > 2 * scene_radius) {
         away = length(ray.origin);
@@ -157,22 +163,20 @@ inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
     // Infinite biases would make the boxes of children that are not there no numbers, and met.
     const auto bias = [](double x) {
         constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
-        return static_cast<float>(std::clamp(x, -largest, largest));
+        return static_cast<float>(std::min(std::max(x, -largest), largest));
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int a = static_cast<int>(axis);
-        const double slope =
-            std::copysign(std::max(std::abs(direction[a]), flattest), direction[a]);
-        ray.inverse[axis] = static_cast<float>(1 / slope);
-        const double inverse = static_cast<double>(ray.inverse[axis]);
-        // 8 float roundings for the two products, the difference and the inverse; the rest is what
-        // double has lost on the way from a far origin.
+        const auto slope = static_cast<float>(direction[a]);
+        ray.inverse[axis] = 1 / std::copysign(std::max(std::abs(slope), flattest), slope);
+        const auto inverse = static_cast<double>(ray.inverse[axis]);
+        // 8 float roundings for the two products, the difference, the slope and its inverse; the
+        // rest is what double has lost on the way from a far origin.
         const double reach = std::abs(ray.origin[a]) + 1;
         const double error = std::abs(inverse) * (8 * float_roundoff * reach + ray.error);
         ray.near_bias[axis] = bias(inverse * ray.origin[a] + error);
         ray.far_bias[axis] = bias(inverse * ray.origin[a] - error);
     }
-    return ray;
 }
 
 template <class Visit> void WideBvh::for_each_leaf(Visit&& visit) const {

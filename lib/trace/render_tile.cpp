@@ -17,7 +17,7 @@ template <class T> TileTracer<T> tile_tracer(const Plan& plan) {
 
 template <> TileTracer<double> tile_tracer<double>(const Plan& plan) {
 #if defined(__x86_64__) && defined(__GNUC__)
-    if (&kernels() == &avx2_kernels) {
+    if (&kernels() != &plain_kernels) {
         return tile_tracer_avx2(plan);
     }
 #endif

@@ -12,16 +12,6 @@ using namespace raytree;
 
 namespace {
 
-std::vector<const Kernels*> all_kernels() {
-    std::vector<const Kernels*> list = {&plain_kernels};
-#if defined(__x86_64__) && defined(__GNUC__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        list.push_back(&avx2_kernels);
-    }
-#endif
-    return list;
-}
-
 Searched searched(const Scene& scene) {
     Searched result{ShapeSet<double>(scene)};
     result.bvh = hierarchy_of(result.shapes);
@@ -48,7 +38,7 @@ void check_all(const Scene& scene, const std::vector<Query<double>>& queries) {
     for (const auto& query : queries) {
         expected.push_back(brute_force(s.shapes, query));
     }
-    for (const Kernels* kernels : all_kernels()) {
+    for (const Kernels* kernels : runnable_kernels()) {
         CAPTURE(kernels == &plain_kernels);
         std::vector<Hit<double>> each(queries.size()), packets(queries.size());
         std::vector<std::uint8_t> any_each(queries.size()), any_packets(queries.size());
@@ -187,7 +177,7 @@ TEST_CASE("kernels: rays at the vertices and edges of a closed mesh all meet it"
                 {{inside, UnitVec3<double>::of(aim - inside).vec(), 0}, no_primitive, {}});
         }
     }
-    for (const Kernels* kernels : all_kernels()) {
+    for (const Kernels* kernels : runnable_kernels()) {
         std::vector<Hit<double>> hits(queries.size());
         std::vector<std::uint8_t> met(queries.size());
         kernels->closest_of_each(s, queries, hits);
@@ -197,6 +187,57 @@ TEST_CASE("kernels: rays at the vertices and edges of a closed mesh all meet it"
                   return hit.primitive == no_primitive;
               }) == 0);
     }
+}
+
+TEST_CASE("kernels: rays that start or end just before, on and just behind what they meet") {
+    for (const bool floats : {true, false}) {
+        CAPTURE(floats);
+        Scene scene = test::random_shapes(200, 7, 1, Point(0.0));
+        test::add(scene, ball({0.4, 0.1, 0}, 0.5, floats));
+        test::add(scene, ball({-0.4, 0.1, 0.2}, 0.01, floats));
+        const Searched s = searched(scene);
+        Rays rays(9, 1.5, Point(0.0));
+        std::vector<Query<double>> queries;
+        for (const Query<double>& query : rays.any_order(150)) {
+            const Hit<double> hit = brute_force(s.shapes, query);
+            if (hit.primitive == no_primitive) {
+                continue;
+            }
+            for (const double off : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-3}) {
+                for (const double t : {hit.t * (1 - off), hit.t * (1 + off)}) {
+                    Query<double> from = query, to = query;
+                    from.ray.origin = along(query.ray.origin, t, query.ray.direction);
+                    to.interval.to = t;
+                    queries.insert(queries.end(), {from, to});
+                    from.leaving = hit.primitive;
+                    queries.push_back(from);
+                }
+            }
+        }
+        check_all(scene, queries);
+    }
+}
+
+TEST_CASE("kernels: rays in the planes of triangles, and nearly so") {
+    Scene scene;
+    scene.materials.push_back({});
+    test::add(scene, ball({0, 0, 0}, 1, true));
+    const Searched s = searched(scene);
+    std::vector<Query<double>> queries;
+    for (PrimitiveId id = 0; id < s.shapes.size(); id += 3) {
+        const auto& [a, b, c] = s.shapes.triangle(s.shapes[id]).vertices;
+        const Point normal = outer<double>(b - a, c - a);
+        if (length(normal) == 0) {
+            continue;
+        }
+        for (const double tilt : {0.0, 1e-16, 1e-9, 1e-7, 1e-6, 1e-4}) {
+            const Point direction = (b + c) / 2.0 - a + tilt * normal / length(normal);
+            const auto d = UnitVec3<double>::of(direction).vec();
+            queries.push_back({{a - 2.0 * d, d, 0}, no_primitive, {}});
+            queries.push_back({{a + 0.3 * direction, d, 0}, no_primitive, {}});
+        }
+    }
+    check_all(scene, queries);
 }
 
 TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {
@@ -220,17 +261,27 @@ TEST_CASE("kernels: shapes that all but coincide, in a scene that is much larger
     check_scene(scene, 2, Point(0.0));
 }
 
-TEST_CASE("kernels: a triangle's float copies give it back to the last bit") {
+TEST_CASE("kernels: a shape's copies give it back to the last bit") {
     for (const bool floats : {true, false}) {
         Scene scene;
         scene.materials.push_back({});
         test::add(scene, ball({0.1, 0, 2}, 1, floats));
+        test::add(scene, Sphere{{0.1, 0.25, 2}, 0.1});
+        test::add(scene, Cone{{0.1, 0.2, 0.3}, {0.5, 0.6, 2}, 0.1, 0.2});
         const Searched s = searched(scene);
         s.bvh.for_each_leaf([&](WideBvh::Ref leaf) {
             for (std::size_t lane = 0; lane < leaf.count(); ++lane) {
-                const PrimitiveId id = s.bvh.items()[leaf.first() + lane];
-                CHECK(s.filter.triangle_of(leaf, lane).vertices ==
-                      s.shapes.triangle(s.shapes[id]).vertices);
+                const Primitive shape = s.shapes[s.bvh.items()[leaf.first() + lane]];
+                if (leaf.kind() == LeafFilter::triangle) {
+                    CHECK(s.filter.triangle_of(leaf, lane).vertices ==
+                          s.shapes.triangle(shape).vertices);
+                } else if (leaf.kind() == LeafFilter::sphere) {
+                    CHECK(s.filter.sphere_of(leaf, lane).center == s.shapes.sphere(shape).center);
+                    CHECK(s.filter.sphere_of(leaf, lane).radius == s.shapes.sphere(shape).radius);
+                } else {
+                    CHECK(s.filter.cone_of(leaf, lane).base == s.shapes.cone(shape).base);
+                    CHECK(s.filter.cone_of(leaf, lane).slope == s.shapes.cone(shape).slope);
+                }
             }
         });
     }
