@@ -251,7 +251,7 @@ inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
         case LeafFilter::cone:
             return meet_cone(searched, leaf, lane, ray, start);
         default:
-            return searched.shapes.intersect(id(), ray.query->ray, leaving);
+            return searched.shapes->intersect(id(), ray.query->ray, leaving);
     }
 }
 
@@ -280,8 +280,10 @@ inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
     return false;
 }
 
-/// What is yet to be visited: places are written in eights, so some more than are used.
-struct Waiting {
+/// What is yet to be visited: places are written in eights, so some more than are used. Where any
+/// hit will do, the limit stays as it is: then the order does not matter, and where a child is
+/// entered is not kept.
+template <bool any_will_do> struct Waiting {
     static constexpr std::size_t places = WideBvh::stack_size + 8;
     std::array<float, places> near;
     std::array<std::uint32_t, places> ref;
@@ -298,16 +300,33 @@ struct Waiting {
     }
     void append_children(const WideBvh::Node& node, const Traveller& ray, const F8& entered,
                          unsigned met) {
-        top += append(entered, reinterpret_cast<const std::uint32_t*>(node.child.data()), met,
-                      node.order.data(), ray.order_shift, &near[top], &ref[top]);
+        const auto* const children = reinterpret_cast<const std::uint32_t*>(node.child.data());
+        if constexpr (any_will_do) {
+            top += append_unordered(children, met, &ref[top]);
+        } else {
+            top += append(entered, children, met, node.order.data(), ray.order_shift, &near[top],
+                          &ref[top]);
+        }
+    }
+    /// Takes out the next that is worth a visit; false where there is none.
+    bool pop(float limit, Ref& next) {
+        while (top > 0) {
+            --top;
+            if (any_will_do || near[top] <= limit) {
+                next = Ref::of(ref[top]);
+                return true;
+            }
+        }
+        return false;
     }
 };
 
 /// The node or leaf to go on with among the children of a node, the others left waiting; false
 /// where there is none. What most often happens, one child or two, has branches of its own, which
 /// the processor guesses and so goes on before it knows.
-inline bool choose_child(const WideBvh::Node& node, const Traveller& ray, Waiting& waiting,
-                         Ref& next) {
+template <bool any_will_do>
+inline bool choose_child(const WideBvh::Node& node, const Traveller& ray,
+                         Waiting<any_will_do>& waiting, Ref& next) {
     F8 entered;
     unsigned met = enter_children(node, ray, entered);
     if (met == 0) {
@@ -338,8 +357,8 @@ inline bool choose_child(const WideBvh::Node& node, const Traveller& ray, Waitin
 
 /// One ray, from a node or leaf on, to its end. True where it has met what is looked for.
 template <bool any_will_do, bool counted>
-inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting, Ref next,
-                   std::size_t* tests) {
+inline bool travel(const Searched& searched, Traveller& ray, Waiting<any_will_do>& waiting,
+                   Ref next, std::size_t* tests) {
     const WideBvh::Node* const nodes = searched.bvh.nodes().data();
     for (;;) {
         bool here = true;
@@ -354,13 +373,9 @@ inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting, R
                 return true;
             }
         }
-        do {
-            if (waiting.top == 0) {
-                return ray.best.primitive != no_primitive;
-            }
-            --waiting.top;
-        } while (waiting.near[waiting.top] > ray.limit);
-        next = Ref::of(waiting.ref[waiting.top]);
+        if (!waiting.pop(ray.limit, next)) {
+            return ray.best.primitive != no_primitive;
+        }
     }
 }
 
@@ -368,7 +383,7 @@ template <bool any_will_do>
 Traveller follow_one(const Searched& searched, const Query<double>& query, std::size_t* tests) {
     Traveller ray;
     set_out(searched, query, ray);
-    Waiting waiting;
+    Waiting<any_will_do> waiting;
     if (tests) {
         travel<any_will_do, true>(searched, ray, waiting, Ref::to_node(0), tests);
     } else {
@@ -381,9 +396,9 @@ Hit<double> closest(const Searched& searched, const Query<double>& query, std::s
     return searched.bvh.empty() ? Hit<double>{} : follow_one<false>(searched, query, tests).best;
 }
 
-bool any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
-    return !searched.bvh.empty() &&
-           follow_one<true>(searched, query, tests).best.primitive != no_primitive;
+PrimitiveId any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
+    return searched.bvh.empty() ? no_primitive
+                                : follow_one<true>(searched, query, tests).best.primitive;
 }
 
 /// Where the answers go.
@@ -432,7 +447,7 @@ template <bool any_will_do, class Answers> class Flight {
 
     struct Seat {
         Traveller ray;
-        Waiting waiting;
+        Waiting<any_will_do> waiting;
         std::size_t query = 0;
         Ref next;
     };
@@ -455,18 +470,13 @@ template <bool any_will_do, class Answers> class Flight {
 
     void go_on(std::uint32_t seat) {
         Seat& s = seats_[seat];
-        Waiting& waiting = s.waiting;
-        while (waiting.top > 0) {
-            --waiting.top;
-            if (waiting.near[waiting.top] <= s.ray.limit) {
-                s.next = Ref::of(waiting.ref[waiting.top]);
-                prefetch(searched_, s.next);
-                const std::size_t list = s.next.is_leaf() ? 1 : 0;
-                lists_[list][counts_[list]++] = seat;
-                return;
-            }
+        if (!s.waiting.pop(s.ray.limit, s.next)) {
+            leave(seat);
+            return;
         }
-        leave(seat);
+        prefetch(searched_, s.next);
+        const std::size_t list = s.next.is_leaf() ? 1 : 0;
+        lists_[list][counts_[list]++] = seat;
     }
 
     void visit_node(std::uint32_t seat) {
@@ -686,8 +696,9 @@ template <bool any_will_do> class Packet {
     std::array<std::uint32_t, 3> near_row_, far_row_;
     unsigned order_shift_ = 0;
     unsigned active_ = 0;
-    Waiting waiting_, alone_;
-    std::array<unsigned, Waiting::places> groups_;
+    Waiting<false> waiting_;  ///< of the packet, in order in any case
+    Waiting<any_will_do> alone_;
+    std::array<unsigned, Waiting<false>::places> groups_;
 };
 
 template <bool any_will_do, class Answers>

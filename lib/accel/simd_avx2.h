@@ -51,4 +51,13 @@ inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met
     return static_cast<std::size_t>(std::popcount(mask));
 }
 
+inline std::size_t append_unordered(const std::uint32_t* ref, unsigned met, std::uint32_t* refs) {
+    const __m256i from =
+        _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(places_of_bits[met])));
+    const __m256i children = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ref));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(refs),
+                        _mm256_permutevar8x32_epi32(children, from));
+    return static_cast<std::size_t>(std::popcount(met));
+}
+
 }  // namespace raytree::avx2

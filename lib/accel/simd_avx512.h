@@ -33,4 +33,11 @@ inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met
     return static_cast<std::size_t>(std::popcount(met));
 }
 
+inline std::size_t append_unordered(const std::uint32_t* ref, unsigned met, std::uint32_t* refs) {
+    const __m256i children = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ref));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(refs),
+                        _mm256_maskz_compress_epi32(static_cast<__mmask8>(met), children));
+    return static_cast<std::size_t>(std::popcount(met));
+}
+
 }  // namespace raytree::avx512

@@ -96,4 +96,14 @@ inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met
     return count;
 }
 
+/// The same for ref[k] alone, in any order.
+inline std::size_t append_unordered(const std::uint32_t* ref, unsigned met, std::uint32_t* refs) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 8; ++k) {
+        refs[count] = ref[k];
+        count += met >> k & 1;
+    }
+    return count;
+}
+
 }  // namespace raytree::plain

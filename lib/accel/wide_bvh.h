@@ -89,8 +89,10 @@ class WideBvh {
     };
 
     WideBvh() = default;
-    /// Throws std::length_error for more than `most_items`.
-    WideBvh(std::span<const Item> items, const Config& config);
+    /// Throws std::length_error for more than `most_items`. `names`: what each item is called in
+    /// `items()`; its place in the list if empty.
+    WideBvh(std::span<const Item> items, const Config& config,
+            std::span<const std::uint32_t> names = {});
 
     bool empty() const { return items_.empty(); }
     std::size_t node_count() const { return nodes_.size(); }
@@ -98,7 +100,7 @@ class WideBvh {
         return nodes_.size() * sizeof(Node) + items_.size() * sizeof(std::uint32_t);
     }
     std::span<const Node> nodes() const { return nodes_; }
-    /// The places of the items in the list given, leaf by leaf.
+    /// The items by their names, leaf by leaf.
     std::span<const std::uint32_t> items() const { return items_; }
     const Vec3<double>& center() const { return center_; }
     /// A power of two: `(p - center()) * scale()` is within 1 of 0 for every p in the boxes.

@@ -42,12 +42,19 @@ void put_texture(std::ostream& out, const Scene& scene, const Material& m) {
     const Rgb<double> pigment = m.kd * m.color;
     const Rgb<double> ambient = m.ka * m.color * scene.ambient;
     out << " texture{pigment{color ";
-    put(out, pigment) << "} finish{diffuse 1 ambient ";
+    put(out, pigment);
+    if (!is_zero(m.kt)) {
+        out << " transmit " << (m.kt.r + m.kt.g + m.kt.b) / 3;
+    }
+    out << "} finish{diffuse 1 ambient ";
     put(out, Rgb<double>(share(ambient.r, pigment.r), share(ambient.g, pigment.g),
                          share(ambient.b, pigment.b)));
     out << " phong " << m.ks.r * m.specular_color.r << " phong_size " << m.shininess
         << " reflection{";
     put(out, m.kr) << "}}}";
+    if (!is_zero(m.kt)) {
+        out << " interior{ior " << m.ior << '}';
+    }
 }
 
 void put_shape(std::ostream& out, const Shape& shape) {
