@@ -14,13 +14,7 @@ constexpr std::size_t tried_with_others = 3;  // the best, in search of pairs
 constexpr std::size_t most_causes_of_a_pair = 200;
 constexpr std::size_t left_of_a_pair = 2;  // by rounding, at most
 
-/// What is wrong, for telling one difference from another.
-using Key = std::uint64_t;
-Key key_of(const Finding& finding) {
-    return (finding.ray * 4 + static_cast<Key>(finding.problem)) * 64 +
-           (finding.problem == Problem::differs ? place_of(finding.field)
-                                                : static_cast<Key>(finding.kind));
-}
+using Key = std::uint64_t;  // of a finding
 
 struct Candidate {
     std::vector<const MistakeRow*> rows;
@@ -51,6 +45,9 @@ class Search {
             }
         }
         all_ = std::max<std::size_t>(held_.size(), 1);
+        if (!is_rounded()) {
+            options_.give_up_at = first_;
+        }
     }
 
     bool any() const { return first_.has_value(); }

@@ -40,8 +40,9 @@ struct Tally {
 struct ReplayOptions {
     double rtol = 1e-5;
     const Slacks* slacks = nullptr;
-    const RayTree<double>* truth = nullptr;  ///< tells what follows from what
-    std::size_t enough = 1000;               ///< causes after which to stop
+    const RayTree<double>* truth = nullptr;     ///< tells what follows from what
+    std::size_t enough = 1000;                  ///< causes after which to stop
+    std::optional<std::uint64_t> give_up_at{};  ///< the cause (its key) at which to stop
     std::size_t most_rays = ~std::size_t{0};
     double noise = 0;  ///< how far to move every number, in units of the submission's precision
     unsigned seed = 0;

@@ -3,7 +3,8 @@
     python3 run.py RAYTREE                        the assignments' scenes and a few others
     python3 run.py RAYTREE --quick                a sample, for CI
     python3 run.py RAYTREE --log                  and every case that is not named
-    python3 run.py RAYTREE --matrix FILE          what was named for what was planted, as JSON
+    python3 run.py RAYTREE --matrix FILE          what was named for what was planted, as JSON;
+                                                  draw_matrix.py makes a picture of it
 
 Exit 0: of the cases in which a mistake changes a number at least 98 % are found and 90 % named
 first, none is named wrongly with "sure", and every right tree passes.
@@ -164,7 +165,7 @@ def grown(source, plant, pixel):
 class Table:
     def __init__(self):
         self.rows = collections.defaultdict(collections.Counter)
-        self.named = collections.Counter()
+        self.named, self.tied = collections.Counter(), collections.Counter()
         self.log = []
 
     def judge(self, name, report, where):
@@ -179,7 +180,9 @@ class Table:
         row["alone"] += top is not None and top["id"] == name and not top["ties"]
         wrong = bool(top and top["sure"] and top not in fits)
         row["wrong and sure"] += wrong
-        self.named[name, top["id"] if top else "nothing"] += 1
+        key = (name, top["id"] if top else "nothing")
+        self.named[key] += 1
+        self.tied[key] += bool(fits) and top in fits
         if not fits or wrong or top not in fits:
             what = "; ".join(f"{m['id']}{' SURE' if m['sure'] else ''} ties {m['ties']}"
                              for m in named)
@@ -322,7 +325,8 @@ def main():
             if arguments.log:
                 for line in table.log:
                     print("  " + line)
-            matrix[form] = [[a, b, n] for (a, b), n in sorted(table.named.items())]
+            matrix[form] = [[a, b, n, table.tied[a, b]]
+                            for (a, b), n in sorted(table.named.items())]
             few = form == "positions"  # what only shades leaves no trace in them
             fine = fine and not wrong and total["wrong and sure"] == 0 and (
                 few or (total["found"] >= 0.98 * total["changed"]
