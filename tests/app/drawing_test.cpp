@@ -279,7 +279,7 @@ TEST_CASE("app: all shapes of a scene are drawn, and drawing order only sorts th
     CHECK(mesh.objects.size() == 5);
     check_sound(mesh.faces);
     CHECK_FALSE(mesh.wires.segments.empty());
-    auto sorted = sorted_triangles(mesh, extent, {0, 3, 9});
+    auto sorted = triangles_of(mesh, drawing_order(mesh, extent, {0, 3, 9}));
     auto all = mesh.faces.triangles;
     REQUIRE(sorted.size() == all.size());
     std::ranges::sort(sorted);

@@ -109,6 +109,8 @@ class Builder {
         if (faces.count == 0) {
             return;
         }
+        faces.first_point = first_point / 3;
+        faces.points = mesh_.faces.points.size() / 3 - faces.first_point;
         measure(faces, first_point, flat);
         mesh_.objects.push_back(faces);
     }
@@ -123,6 +125,7 @@ class Builder {
             box.add(at(k));
         }
         faces.centre = box.centre();
+        faces.radius = 0.5 * box.diagonal();
         faces.flat = is_polygon && box.diagonal() > 0.6 * extent_.diagonal;
         const auto& normals = mesh_.faces.normals;
         faces.normal = {normals[first_point], normals[first_point + 1], normals[first_point + 2]};

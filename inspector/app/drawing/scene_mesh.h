@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "drawing/extent.h"
@@ -13,9 +14,12 @@ struct ObjectFaces {
     std::size_t object = 0;  ///< its place in Scene::objects
     std::size_t first = 0;   ///< of the triangles
     std::size_t count = 0;
+    std::size_t first_point = 0;
+    std::size_t points = 0;
     std::size_t first_wire = 0;
     std::size_t wires = 0;
     Point3 centre{0, 0, 0};
+    double radius = 0;       ///< of a ball around the centre that holds it
     bool flat = false;       ///< a polygon that is large beside the rest
     Point3 normal{0, 0, 0};  ///< of a flat one
 };
@@ -37,8 +41,15 @@ SceneMesh scene_mesh(const Document& document, const Extent& extent, double pixe
 /// mesh need not be made anew for each view.
 double mesh_pixel(const Extent& extent, const View& view);
 
-/// The triangles in an order in which see-through objects may be drawn, the farthest first.
-std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,
-                                           const Point3& eye);
+/// Places in SceneMesh::objects in an order in which see-through ones may be drawn, the farthest
+/// first.
+std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& extent,
+                                       const Point3& eye);
+
+/// The triangles of these objects, in this order.
+std::vector<std::int32_t> triangles_of(const SceneMesh& mesh, std::span<const std::size_t> objects);
+
+/// These objects alone, in this order.
+Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects);
 
 }  // namespace raytree::inspector

@@ -15,31 +15,64 @@ bool is_behind_the_rest(const ObjectFaces& object, const Point3& middle, const P
 
 }  // namespace
 
-std::vector<std::int32_t> sorted_triangles(const SceneMesh& mesh, const Extent& extent,
-                                           const Point3& eye) {
+std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& extent,
+                                       const Point3& eye) {
     const Point3 middle = extent.seen.centre();
     struct Place {
         int layer;  ///< 0 behind the rest, 2 in front of it
         double distance;
-        const ObjectFaces* object;
+        std::size_t object;
     };
-    std::vector<Place> order;
-    for (const ObjectFaces& object : mesh.objects) {
+    std::vector<Place> places;
+    for (std::size_t k = 0; k < mesh.objects.size(); ++k) {
+        const ObjectFaces& object = mesh.objects[k];
         const int layer = !object.flat ? 1 : is_behind_the_rest(object, middle, eye) ? 0 : 2;
-        order.push_back({layer, glm::length(object.centre - eye), &object});
+        places.push_back({layer, glm::length(object.centre - eye), k});
     }
-    std::ranges::sort(order, [](const Place& a, const Place& b) {
+    std::ranges::sort(places, [](const Place& a, const Place& b) {
         return a.layer != b.layer ? a.layer < b.layer : a.distance > b.distance;
     });
+    std::vector<std::size_t> order;
+    for (const Place& place : places) {
+        order.push_back(place.object);
+    }
+    return order;
+}
+
+std::vector<std::int32_t> triangles_of(const SceneMesh& mesh,
+                                       std::span<const std::size_t> objects) {
     std::vector<std::int32_t> triangles;
     triangles.reserve(mesh.faces.triangles.size());
-    for (const Place& place : order) {
+    for (const std::size_t k : objects) {
+        const ObjectFaces& object = mesh.objects[k];
         const auto from =
-            mesh.faces.triangles.begin() + static_cast<std::ptrdiff_t>(3 * place.object->first);
+            mesh.faces.triangles.begin() + static_cast<std::ptrdiff_t>(3 * object.first);
         triangles.insert(triangles.end(), from,
-                         from + static_cast<std::ptrdiff_t>(3 * place.object->count));
+                         from + static_cast<std::ptrdiff_t>(3 * object.count));
     }
     return triangles;
+}
+
+Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects) {
+    Mesh part;
+    const auto copy = [](const auto& from, auto& to, std::size_t first, std::size_t count) {
+        const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
+        to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+    };
+    for (const std::size_t k : objects) {
+        const ObjectFaces& object = mesh.objects[k];
+        const auto moved = static_cast<std::int32_t>(part.points.size() / 3) -
+                           static_cast<std::int32_t>(object.first_point);
+        copy(mesh.faces.points, part.points, 3 * object.first_point, 3 * object.points);
+        copy(mesh.faces.normals, part.normals, 3 * object.first_point, 3 * object.points);
+        copy(mesh.faces.colours, part.colours, 4 * object.first_point, 4 * object.points);
+        const std::size_t first = part.triangles.size();
+        copy(mesh.faces.triangles, part.triangles, 3 * object.first, 3 * object.count);
+        for (std::size_t at = first; at < part.triangles.size(); ++at) {
+            part.triangles[at] += moved;
+        }
+    }
+    return part;
 }
 
 }  // namespace raytree::inspector

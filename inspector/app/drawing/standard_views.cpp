@@ -14,6 +14,29 @@ constexpr double fov = 30;     // of all views but the camera's
 constexpr int legend = 34;     // pixels along the lower edge
 constexpr double near = 0.95;  // of the diagonal: what is farther off may lie outside the view
 
+/// Shapes at which rays end, where they are not larger than what is seen.
+void add_shapes_met(std::vector<Point3>& points, const Document& document, const Extent& extent,
+                    const std::vector<RayPath>& paths) {
+    constexpr std::size_t most = 2'000'000;  // of pairs that are looked at
+    const auto& shapes = document.world().shapes.shapes();
+    if (shapes.size() * paths.size() > most) {
+        return;
+    }
+    for (PrimitiveId id = 0; id < shapes.size(); ++id) {
+        const Box bounds = shapes.bounds(id);
+        const Span3 box{bounds.min, bounds.max};
+        const Span3 around = box.grown(1e-3 * extent.diagonal);
+        if (box.diagonal() < 0.6 * extent.diagonal &&
+            glm::length(box.centre() - extent.seen.centre()) < near * extent.diagonal &&
+            std::ranges::any_of(paths, [&](const RayPath& path) {
+                return path.end == RayPath::End::hit && around.contains(path.to);
+            })) {
+            const auto corners = box.corners();
+            points.insert(points.end(), corners.begin(), corners.end());
+        }
+    }
+}
+
 /// What the view from the side is to contain: what is far off does not make all the rest small.
 std::vector<Point3> side_points(const Document& document, const Extent& extent,
                                 const std::vector<RayPath>& paths) {
@@ -21,6 +44,7 @@ std::vector<Point3> side_points(const Document& document, const Extent& extent,
     std::vector<Point3> points = points_of(paths, extent);
     std::erase_if(
         points, [&](const Point3& p) { return glm::length(p - middle) > near * extent.diagonal; });
+    add_shapes_met(points, document, extent, paths);
     for (const Point3& corner : picture_corners(document, extent.plane_distance)) {
         points.push_back(corner);
     }

@@ -36,7 +36,7 @@ bool has_cut(const State& state) { return state.has_cut(); }
 constexpr Command table[] = {
     {"pane.change", "Change", "Change the scene", "E",
      "Shows or hides what of the scene can be changed while its tree follows.", none,
-     switch_side<SidePane::change>, has_scene, side_is<SidePane::change>},
+     switch_side<SidePane::change>, has_scene, side_is<SidePane::change>, "Change"},
     {"change.set", "", "Change a value", "",
      "Changes a value of the scene: its place in a scene file, then the value.", Argument::words,
      set<Pick::apart>, has_scene},

@@ -77,17 +77,8 @@ constexpr Command table[] = {
      "Selects the ray before that is different.", none, go<-1>, has_lines},
     {"compare.end", "Compare", "End comparing", "Shift+A", "Shows the tree alone again.", none, end,
      compares},
-    {"pane.compare",
-     "Compare",
-     "Differences",
-     "Shift+C",
-     "Shows or hides the list of differences.",
-     none,
-     switch_side<SidePane::compare>,
-     has_scene,
-     side_is<SidePane::compare>,
-     {},
-     true},
+    {"pane.compare", "Compare", "Differences", "Shift+C", "Shows or hides the list of differences.",
+     none, switch_side<SidePane::compare>, has_scene, side_is<SidePane::compare>, "Compare", true},
 };
 
 }  // namespace

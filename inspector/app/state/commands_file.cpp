@@ -28,7 +28,7 @@ constexpr Command table[] = {
      "Opens a scene (.json, .nff, .txt, .obj) or a ray tree (raytree/1.0).", Argument::file, open,
      nullptr, nullptr, "Open"},
     {"file.reload", "File", "Read again", "F5 Ctrl+R", "Reads the open file again.", none, reload,
-     has_scene, nullptr, "Reload"},
+     has_scene},
     {"file.save",
      "File",
      "Save the scene",

@@ -61,7 +61,7 @@ bool goes_by_levels(const State& state) { return state.step_order() == StepOrder
 constexpr Command table[] = {
     {"step.mode", "Step", "Step through the tree", "Shift+N",
      "Shows the tree as it is computed, step by step, or all of it again.", none, start_or_end,
-     has_tree, steps},
+     has_tree, steps, "Steps"},
     {"step.forward",
      "Step",
      "Forward",

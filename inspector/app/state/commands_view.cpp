@@ -66,7 +66,7 @@ constexpr Command table[] = {
     {"shapes.wire", "View", "Wire shapes", "W", "Draws shapes as wires.", none,
      draw_shapes<ShapeStyle::wire>, nullptr, shapes_are<ShapeStyle::wire>},
     {"show.shadow", "View", "Shadow rays", "S", "Shows or hides shadow rays in the 3D view.", none,
-     switch_kind<RayKind::shadow>, nullptr, kind_is_shown<RayKind::shadow>, "Shadow rays", true},
+     switch_kind<RayKind::shadow>, nullptr, kind_is_shown<RayKind::shadow>, "Shadows", true},
     {"show.reflected", "View", "Reflected rays", "Shift+R",
      "Shows or hides reflected rays in the 3D view.", none, switch_kind<RayKind::reflected>,
      nullptr, kind_is_shown<RayKind::reflected>},

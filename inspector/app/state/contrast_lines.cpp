@@ -234,8 +234,8 @@ std::vector<DetailSection> contrast_details(const PixelTree& tree, std::size_t r
         const auto text = [](const check::Value& value) {
             return value.none() ? std::string("none") : check::value_text(value);
         };
-        section.rows.push_back(words("≠ " + name, text(one.first) + "  here"));
-        section.rows.push_back(words("", text(one.second) + "  there"));
+        section.rows.push_back(words("≠ " + name, "here  " + text(one.first)));
+        section.rows.push_back(words("", "there  " + text(one.second)));
     }
     for (const ContrastLine& line : contrast.lines) {
         if (line.ray == ray && contrast.what == What::file) {

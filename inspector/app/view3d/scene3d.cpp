@@ -1,6 +1,7 @@
 #include "view3d/scene3d.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -8,8 +9,6 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOpenGLRenderer.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -21,7 +20,10 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
+
+#include "view3d/standing_renderer.h"
 
 namespace raytree::inspector {
 namespace {
@@ -85,18 +87,6 @@ struct Part {
     }
 };
 
-/// Lays see-through shapes over each other in the order in which they come, which is by distance
-/// (see sorted_triangles). VTK's own way averages whatever lies at a pixel, in floating-point
-/// buffers that cost software OpenGL half of the frame.
-class LayeringRenderer : public vtkOpenGLRenderer {
-  public:
-    static LayeringRenderer* New();
-    void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase*) override {
-        UpdateTranslucentPolygonalGeometry();
-    }
-};
-LayeringRenderer* LayeringRenderer::New() { VTK_STANDARD_NEW_BODY(LayeringRenderer); }
-
 /// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the
 /// viewer it is firmer, and its colour turns into that of lines.
 std::string see_through_code(Ink line) {
@@ -150,12 +140,13 @@ void add_lights(vtkRenderer* renderer) {
 
 struct Scene3d::Parts {
     vtkNew<vtkGenericOpenGLRenderWindow> window;
-    vtkNew<LayeringRenderer> renderer;
+    vtkNew<StandingRenderer> renderer;
     vtkNew<vtkTexture> texture;
-    Part shapes, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading, angles,
-        faint_angles;
+    Part shapes, shapes_over, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading,
+        angles, faint_angles;
     Part explained_faces, explained_lines, explained;
     Palette palette;
+    std::array<double, 2> depths = {0, 0};  ///< of the camera's clipping planes
 
     void set_shading() {
         // Rays keep close to the colours of the legend; shapes are modelled by light.
@@ -169,6 +160,45 @@ struct Scene3d::Parts {
         }
     }
 
+    /// The depths between which things are drawn, rays included, with room for other rays: where
+    /// only these change, what stands still keeps its depths.
+    void choose_depths(bool same_view) {
+        vtkBoundingBox box;
+        double bounds[6];
+        renderer->ComputeVisiblePropBounds(bounds);
+        box.AddBounds(bounds);
+        for (Part* part : {&shapes, &edges, &picture}) {
+            if (part->actor->GetVisibility()) {
+                box.AddBounds(part->actor->GetBounds());
+            }
+        }
+        if (!box.IsValid()) {
+            return;
+        }
+        box.GetBounds(bounds);
+        vtkCamera* const camera = renderer->GetActiveCamera();
+        const std::array<double, 2> old = depths;
+        renderer->ResetCameraClippingRange(bounds);
+        const double* const needed = camera->GetClippingRange();
+        if (same_view && old[0] <= needed[0] && old[1] >= needed[1]) {
+            camera->SetClippingRange(old[0], old[1]);
+            return;
+        }
+        depths = {0.9 * needed[0], 1.2 * needed[1]};
+        camera->SetClippingRange(depths[0], depths[1]);
+        renderer->forget();
+    }
+
+    /// What is laid over rays: some of the shapes, or all where it is null.
+    void lay_over(const Mesh* some) {
+        vtkActor* const actor = shapes_over.actor;
+        actor->SetMapper(some ? shapes_over.mapper : shapes.mapper);
+        if (some) {
+            shapes_over.set(*some);
+        }
+        actor->SetVisibility(shapes.actor->GetVisibility() && (!some || !some->triangles.empty()));
+    }
+
     void set_shape_shader(ShapeStyle style) {
         vtkShaderProperty* const shader = shapes.actor->GetShaderProperty();
         shader->ClearAllFragmentShaderReplacements();
@@ -180,15 +210,20 @@ struct Scene3d::Parts {
 
 Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     Parts& p = *parts_;
+    p.window->StencilCapableOn();
     p.window->SetMultiSamples(0);  // see-through shapes vanish with it
     p.window->AddRenderer(p.renderer);
-    p.renderer->UseFXAAOn();
     add_lights(p.renderer);
     p.set_shading();
+    p.shapes_over.actor->SetProperty(p.shapes.actor->GetProperty());
+    p.shapes_over.actor->SetShaderProperty(p.shapes.actor->GetShaderProperty());
     // In the order in which what is see-through is laid over each other.
-    for (Part* part : {&p.shapes, &p.edges, &p.picture, &p.explained_faces, &p.explained_lines,
-                       &p.explained, &p.mark_lines, &p.marks, &p.ray_lines, &p.rays, &p.halo,
-                       &p.fading, &p.angles, &p.faint_angles}) {
+    p.renderer->add_standing(p.shapes.actor, p.shapes_over.actor);
+    p.renderer->add_standing(p.edges.actor, p.edges.actor);
+    p.renderer->add_standing(p.picture.actor, p.picture.actor);
+    for (Part* part :
+         {&p.explained_faces, &p.explained_lines, &p.explained, &p.mark_lines, &p.marks,
+          &p.ray_lines, &p.rays, &p.halo, &p.fading, &p.angles, &p.faint_angles}) {
         p.renderer->AddActor(part->actor);
     }
     for (Part* part : {&p.picture, &p.edges, &p.mark_lines, &p.ray_lines, &p.fading,
@@ -212,6 +247,7 @@ vtkGenericOpenGLRenderWindow* Scene3d::window() const { return parts_->window; }
 void Scene3d::set_theme(const Palette& palette) {
     parts_->palette = palette;
     set_background(parts_->renderer, palette);
+    parts_->renderer->forget();
 }
 
 void Scene3d::set_shapes(const SceneMesh& mesh, ShapeStyle style) {
@@ -219,15 +255,23 @@ void Scene3d::set_shapes(const SceneMesh& mesh, ShapeStyle style) {
     p.shapes.set(mesh.faces);
     p.shapes.actor->SetVisibility(style != ShapeStyle::wire && !mesh.faces.triangles.empty());
     p.shapes.see_through(style == ShapeStyle::see_through);
+    p.shapes_over.see_through(style == ShapeStyle::see_through);
     p.shapes.actor->GetProperty()->SetOpacity(
         style == ShapeStyle::see_through ? p.palette.shape_strength : 1);
     p.set_shape_shader(style);
     p.edges.set(style == ShapeStyle::wire ? mesh.wires : mesh.edges);
+    p.lay_over(nullptr);
+    p.renderer->forget();
 }
 
 void Scene3d::set_shape_order(const std::vector<std::int32_t>& triangles) {
     parts_->shapes.data->SetPolys(cells_of(triangles, 3));
+    parts_->lay_over(nullptr);
+    parts_->renderer->forget();
 }
+
+void Scene3d::set_shapes_over(const Mesh& some) { parts_->lay_over(&some); }
+void Scene3d::set_all_shapes_over() { parts_->lay_over(nullptr); }
 
 void Scene3d::set_rays(const RayMeshes& meshes) {
     parts_->rays.set(meshes.solid);
@@ -263,6 +307,7 @@ void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t
         *byte++ = static_cast<unsigned char>(colour);
     }
     parts_->texture->SetInputData(image);
+    parts_->renderer->forget();
 }
 
 void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool shown) {
@@ -276,17 +321,22 @@ void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool shown
     data->GetPointData()->SetTCoords(
         array_of<vtkFloatArray>(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 2));
     parts_->picture.actor->SetVisibility(shown && parts_->texture->GetInput());
+    parts_->renderer->forget();
 }
 
 void Scene3d::set_view(const View& view) {
-    vtkCamera* const camera = parts_->renderer->GetActiveCamera();
+    Parts& p = *parts_;
+    vtkCamera* const camera = p.renderer->GetActiveCamera();
+    const vtkMTimeType before = camera->GetMTime();
     camera->SetPosition(view.eye.x, view.eye.y, view.eye.z);
     camera->SetFocalPoint(view.target.x, view.target.y, view.target.z);
     const Point3 up = axes_of(view).up;
     camera->SetViewUp(up.x, up.y, up.z);
     camera->SetViewAngle(view.fov_degrees);
-    parts_->renderer->ResetCameraClippingRange();
+    p.choose_depths(camera->GetMTime() == before);
 }
+
+void Scene3d::keep() { parts_->renderer->keep(); }
 
 void Scene3d::render() { parts_->window->Render(); }
 

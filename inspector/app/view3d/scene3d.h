@@ -27,6 +27,9 @@ class Scene3d {
     void set_shapes(const SceneMesh& mesh, ShapeStyle style);
     /// The order in which see-through shapes are drawn: SceneMesh::faces' triangles sorted.
     void set_shape_order(const std::vector<std::int32_t>& triangles);
+    /// Those shapes that may stand before rays or marks; all, until they are told.
+    void set_shapes_over(const Mesh& some);
+    void set_all_shapes_over();
     void set_rays(const RayMeshes& meshes);
     void set_explained(const ExplainedMesh& mesh);
     void set_landmarks(const Landmarks& marks);
@@ -35,6 +38,9 @@ class Scene3d {
     void set_picture(int width, int height, const std::vector<std::uint32_t>& colours);
     void set_picture_place(const std::array<Point3, 4>& corners, bool shown);
     void set_view(const View& view);
+    /// Shapes, picture and view stay the same for a while: the next frame is drawn in a way that
+    /// makes those after it quick.
+    void keep();
     void render();
 
   private:

@@ -3,13 +3,12 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
-#include <QToolBar>
-#include <QToolButton>
 
 #include "window/exporter.h"
 #include "window/files.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
+#include "window/tool_bar.h"
 
 namespace raytree::inspector {
 namespace {
@@ -34,10 +33,6 @@ QList<QKeySequence> keys_of(const Command& command) {
         keys.push_back(QKeySequence(key));
     }
     return keys;
-}
-
-std::string_view group_of(const Command& command) {
-    return command.id.substr(0, command.id.find('.'));
 }
 
 }  // namespace
@@ -123,26 +118,9 @@ void Actions::add_menus(QMainWindow* window) {
 }
 
 void Actions::add_toolbar(QMainWindow* window) {
-    auto* const bar = new QToolBar(QStringLiteral("Tools"), window);
-    bar->setMovable(false);
-    bar->setIconSize({18, 18});
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    std::string_view group;
-    for (const Command& command : commands()) {
-        if (command.toolbar.empty()) {
-            continue;
-        }
-        if (!group.empty() && group != group_of(command)) {
-            bar->addSeparator();
-        }
-        group = group_of(command);
-        bar->addAction(actions_[command.id]);
-    }
-    for (QToolButton* const button : bar->findChildren<QToolButton*>()) {
-        button->setFocusPolicy(Qt::NoFocus);  // keys go on acting in the panes
-    }
     window->setContextMenuPolicy(Qt::NoContextMenu);
-    window->addToolBar(bar);
+    window->addToolBar(
+        new ToolBar([this](std::string_view command) { return actions_.at(command); }, window));
 }
 
 void Actions::give_keys_to(QWidget* widget) {

@@ -33,7 +33,7 @@ ComparePane::ComparePane(State& state, QWidget* parent) : QWidget(parent), state
     legend_->setObjectName(QStringLiteral("aside"));
     lines_ = new QTreeWidget;
     lines_->setAccessibleName(QStringLiteral("Differences"));
-    lines_->setHeaderLabels({QString(), QStringLiteral("Where it begins, then what follows")});
+    lines_->setHeaderLabels({QString(), QStringLiteral("Differences, causes first")});
     lines_->setRootIsDecorated(false);
     lines_->setWordWrap(true);
     lines_->setTextElideMode(Qt::ElideNone);

@@ -28,6 +28,11 @@ class Writer {
         html_ += QStringLiteral("<td width='%1%' style='padding-right:22px'>").arg(percent);
     }
     void end_column() { html_ += QStringLiteral("</td>"); }
+    /// What follows stands below.
+    void end_line() {
+        html_ +=
+            QStringLiteral("</tr></table><table width='100%' cellspacing='0' cellpadding='0'><tr>");
+    }
 
     void heading(const char* title, bool first = false) {
         html_ += QStringLiteral("<p style='margin:%1px 0 2px 0; color:%2'><b>%3</b></p>")
@@ -49,10 +54,13 @@ class Writer {
     void row(const QString& label, const QStringList& cells, bool strong = false,
              bool dim = false) {
         const QString bold = strong ? QStringLiteral("; font-weight:bold") : QString();
-        html_ += QStringLiteral("<tr><td style='color:%1'>%2</td>").arg(dim_, label);
+        html_ +=
+            QStringLiteral("<tr><td style='color:%1; white-space:nowrap'>%2</td>").arg(dim_, label);
         for (const QString& cell : cells) {
             const QString colour = dim ? QStringLiteral("; color:") + dim_ : QString();
-            html_ += QStringLiteral("<td align='right' style='font-family:%1%2%3'>%4</td>")
+            html_ += QStringLiteral(
+                         "<td align='right' style='padding-left:10px; white-space:nowrap; "
+                         "font-family:%1%2%3'>%4</td>")
                          .arg(dim ? QString() : mono_, bold, colour, cell);
         }
         html_ += QStringLiteral("</tr>");
@@ -61,9 +69,9 @@ class Writer {
     /// A number and what it is the number of.
     void counted(std::size_t count, const QString& name, const QString& why) {
         html_ += QStringLiteral(
-                     "<tr><td width='10%' align='right' style='font-family:%1; "
+                     "<tr><td align='right' style='font-family:%1; white-space:nowrap; "
                      "padding-right:8px'>%2</td>"
-                     "<td width='90%'><b>%3</b> <span style='color:%4'>– %5</span></td></tr>")
+                     "<td width='100%'><b>%3</b> <span style='color:%4'>– %5</span></td></tr>")
                      .arg(mono_, number(count), name, dim_, why);
     }
 
@@ -128,8 +136,8 @@ void write_lost(Writer& writer, const char* limit, const Statistics::Lost& lost)
 void write_tests(Writer& writer, const Statistics& all) {
     writer.heading("Intersection tests");
     writer.begin_rows();
-    writer.row(QStringLiteral("with the hierarchy"), {number(all.tests)});
-    writer.row(QStringLiteral("without: rays × %1 %2")
+    writer.row(QStringLiteral("with hierarchy"), {number(all.tests)});
+    writer.row(QStringLiteral("rays × %1 %2")
                    .arg(number(all.shapes),
                         all.shapes == 1 ? QStringLiteral("shape") : QStringLiteral("shapes")),
                {number(all.all_tests)});
@@ -154,7 +162,15 @@ void CountsPane::showEvent(QShowEvent* event) {
     show_counts();
 }
 
+void CountsPane::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    if (isVisible() && width() != shown_width_) {  // else a scroll bar has come or gone
+        show_counts();
+    }
+}
+
 void CountsPane::show_counts() {
+    shown_width_ = width();
     if (!state_.tree()) {
         setPlainText(qt(state_.message()));
         return;
@@ -162,18 +178,28 @@ void CountsPane::show_counts() {
     const RayTree<double>& tree = state_.tree()->tree;
     const TreeStatistics all = statistics_of(*state_.document(), tree);
     Writer writer(palette_of(state_.look().theme));
-    writer.begin_column(28);
+    // Three columns where lines in them are long enough to be read, else two.
+    const bool wide = width() > fontMetrics().averageCharWidth() * 98;
+    writer.begin_column(wide ? 28 : 45);
     write_rays(writer, all, tree);
     writer.end_column();
-    writer.begin_column(40);
-    write_not_sent(writer, all);
-    writer.end_column();
-    writer.begin_column(32);
+    if (wide) {
+        writer.begin_column(40);
+        write_not_sent(writer, all);
+        writer.end_column();
+    }
+    writer.begin_column(wide ? 32 : 55);
     writer.heading("Light lost to the limits", true);
     write_lost(writer, "depth limit", all.to_depth);
     write_lost(writer, "weight limit", all.to_weight);
     write_tests(writer, all);
     writer.end_column();
+    if (!wide) {
+        writer.end_line();
+        writer.begin_column(100);
+        write_not_sent(writer, all);
+        writer.end_column();
+    }
     setHtml(writer.take());
 }
 

@@ -14,11 +14,13 @@ class CountsPane : public QTextBrowser {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void show_counts();
 
     State& state_;
+    int shown_width_ = 0;  ///< for which the text has been laid out
 };
 
 }  // namespace raytree::inspector

@@ -3,6 +3,7 @@
 #include <QContextMenuEvent>
 #include <QFontDatabase>
 #include <QMenu>
+#include <QPainter>
 #include <QScrollBar>
 #include <QToolTip>
 #include <memory>
@@ -22,6 +23,11 @@ namespace {
 
 QString escaped(const std::string& text) {
     return qt(text).toHtmlEscaped().replace(QLatin1Char(' '), QStringLiteral("&nbsp;"));
+}
+
+/// Long names may go on below.
+QString breakable(QString name) {
+    return name.replace(QLatin1Char('_'), QStringLiteral("_&#8203;"));
 }
 
 /// Details as rich text for Qt's subset of HTML.
@@ -81,8 +87,8 @@ class Writer {
         const QString label_colour = qt(palette_.dim_text).name();
         const QString colour = faint ? label_colour : qt(palette_.text).name();
         html_ += QStringLiteral("<tr><td width='31%' style='color:%1'>%2%3%4%5</td>")
-                     .arg(strong ? colour : label_colour, strong ? "<b>" : "", escaped(row.label),
-                          strong ? "</b>" : "", swatch_of(row));
+                     .arg(strong ? colour : label_colour, strong ? "<b>" : "",
+                          breakable(escaped(row.label)), strong ? "</b>" : "", swatch_of(row));
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             add_cell(row, k, colour, strong);
         }
@@ -118,10 +124,8 @@ class Writer {
             return {};
         }
         const auto [r, g, b] = eight_bit(*row.swatch, quantize_).value;
-        return QStringLiteral(
-                   "&nbsp;&nbsp;<span style='background-color:%1'>"
-                   "&nbsp;&nbsp;&nbsp;&nbsp;&nbsp;</span>")
-            .arg(QColor(r, g, b).name());
+        return QStringLiteral("&nbsp;&nbsp;<img src='swatch:%1'/>")
+            .arg(QColor(r, g, b).name().mid(1));
     }
 
     const Palette& palette_;
@@ -148,6 +152,22 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
             copy_number();
         }
     });
+}
+
+/// Framed, so that the colour of the background is seen as well.
+QVariant DetailsPane::loadResource(int type, const QUrl& name) {
+    if (name.scheme() != QStringLiteral("swatch")) {
+        return QTextBrowser::loadResource(type, name);
+    }
+    const int height = fontMetrics().height() - 4;
+    const double ratio = devicePixelRatioF();
+    QImage image(QSize(height * 3 / 2, height) * ratio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    image.fill(QColor(QLatin1Char('#') + name.path()));
+    QPainter painter(&image);
+    painter.setPen(QPen(qt(palette_of(state_.look().theme).dim_text), 1));
+    painter.drawRect(QRectF(0.5, 0.5, height * 3 / 2 - 1, height - 1));
+    return image;
 }
 
 void DetailsPane::show_selection() {

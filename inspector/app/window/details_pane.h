@@ -20,6 +20,7 @@ class DetailsPane : public QTextBrowser {
 
   protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
+    QVariant loadResource(int type, const QUrl& name) override;
 
   private:
     void show_selection();

@@ -52,8 +52,11 @@ QString table_of(const ExplainedSection& section, const Palette& palette) {
     const auto row = [&](const std::vector<std::string>& cells, const QString& style) {
         html += QStringLiteral("<tr>");
         for (const std::string& cell : cells) {
-            html += QStringLiteral("<td style='padding-right:16px; white-space:nowrap; %1'>%2</td>")
-                        .arg(style, qt(cell).toHtmlEscaped());
+            constexpr std::size_t long_words = 34;
+            html += QStringLiteral("<td style='padding-right:16px; %1%2'>%3</td>")
+                        .arg(cell.size() > long_words ? QString()
+                                                      : QStringLiteral("white-space:nowrap; "),
+                             style, qt(cell).toHtmlEscaped());
         }
         html += QStringLiteral("</tr>");
     };
@@ -107,6 +110,7 @@ void ExplainedPane::showEvent(QShowEvent* event) {
 
 /// Sections beside each other; the light's depth picture before its numbers.
 void ExplainedPane::renew() {
+    shown_width_ = width();
     const Palette& palette = palette_of(state_.look().theme);
     const auto sections = explained_text(state_);
     if (sections.empty()) {
@@ -118,18 +122,41 @@ void ExplainedPane::renew() {
                 .arg(qt(palette.dim_text).name()));
         return;
     }
+    // Beside each other where there is room, else below each other.
+    setHtml(html_of(sections, false));
+    if (document()->idealWidth() > viewport()->width()) {
+        setHtml(html_of(sections, true));
+    }
+}
+
+QString ExplainedPane::html_of(const std::vector<ExplainedSection>& sections, bool below) {
+    const Palette& palette = palette_of(state_.look().theme);
+    const QString between = below ? QStringLiteral("</tr><tr>") : QString();
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='0'><tr>");
     for (const ExplainedSection& section : sections) {
+        html += QStringLiteral("<td style='padding-right:26px; padding-bottom:9px'>");
         if (section.depth) {
             document()->addResource(
                 QTextDocument::ImageResource, QUrl(QStringLiteral("depth")),
                 image_of(*state_.explanation().depth, state_.explanation().comparison, palette));
-            html += QStringLiteral("<td style='padding-right:14px'><img src='depth'/></td>");
+            html += QStringLiteral(
+                        "<table cellspacing='0' cellpadding='0'><tr>"
+                        "<td style='padding-right:14px'><img src='depth'/></td><td>%1</td>"
+                        "</tr></table>")
+                        .arg(inspector::html_of(section, palette));
+        } else {
+            html += inspector::html_of(section, palette);
         }
-        html +=
-            QStringLiteral("<td style='padding-right:26px'>%1</td>").arg(html_of(section, palette));
+        html += QStringLiteral("</td>") + between;
     }
-    setHtml(html + QStringLiteral("</tr></table>"));
+    return html + QStringLiteral("</tr></table>");
+}
+
+void ExplainedPane::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    if (isVisible() && width() != shown_width_) {  // else a scroll bar has come or gone
+        renew();
+    }
 }
 
 }  // namespace raytree::inspector

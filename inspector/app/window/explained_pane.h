@@ -2,7 +2,7 @@
 
 #include <QTextBrowser>
 
-#include "state/state.h"
+#include "state/explained_text.h"
 
 namespace raytree::inspector {
 
@@ -15,11 +15,14 @@ class ExplainedPane : public QTextBrowser {
 
   protected:
     void showEvent(QShowEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void renew();
+    QString html_of(const std::vector<ExplainedSection>& sections, bool below);
 
     State& state_;
+    int shown_width_ = 0;  ///< for which the text has been laid out
 };
 
 }  // namespace raytree::inspector

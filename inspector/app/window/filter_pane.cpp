@@ -16,7 +16,7 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr const char* titles[] = {"Kind", "Level", "Light", "Object met"};
+constexpr const char* titles[] = {"Kind", "Level", "Light", "Object"};
 constexpr double weights[] = {0, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1};
 
 Qt::CheckState tick_of(Shown shown) {
@@ -48,10 +48,13 @@ FilterPane::FilterPane(State& state, QWidget* parent) : QWidget(parent), state_(
         list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
         connect(list, &QTreeWidget::itemChanged, this, &FilterPane::take_click);
         layout->addWidget(list, 0, k);
-        layout->setColumnStretch(k, k == 1 ? 2 : 3);
+        layout->setColumnStretch(k, k == 3 ? 4 : 3);
+        list->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("reflected   rays")) +
+                              50);
         lists_.push_back(list);
     }
     layout->addWidget(make_weights(), 1, 0, 1, 4);
+    setToolTip(QStringLiteral("ticked: shown; half ticked: dimmed; not ticked: hidden"));
     state_.observe([this](const Changes& changes) {
         if (isVisible() && (changes.tree || changes.look)) {
             renew();
@@ -85,14 +88,11 @@ QWidget* FilterPane::make_weights() {
     connect(lighter_, qOverload<int>(&QComboBox::currentIndexChanged), this, send);
     auto* const all = new QPushButton(QStringLiteral("Show all"));
     connect(all, &QPushButton::clicked, this, [this] { run_command(state_, "filter.clear"); });
-    auto* const hint = new QLabel(QStringLiteral("ticked: shown · half: dimmed · empty: hidden"));
-    hint->setObjectName(QStringLiteral("aside"));
-    hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     row->addWidget(new QLabel(QStringLiteral("Rays that are")));
     row->addWidget(weight_);
     row->addWidget(new QLabel(QStringLiteral("of the pixel are")));
     row->addWidget(lighter_);
-    row->addWidget(hint, 1);
+    row->addStretch(1);
     row->addWidget(all);
     return box;
 }

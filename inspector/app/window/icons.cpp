@@ -166,6 +166,43 @@ const std::map<std::string_view, Draw>& command_drawings() {
              p.restore();
              draw_cross(p, {13.5, 9}, 2.2);
          }},
+        {"step.mode",
+         [](QPainter& p) {
+             p.drawPolyline(QPolygonF({{2.5, 14.5}, {6.5, 14.5}, {6.5, 10.5}, {10.5, 10.5}}));
+             p.drawPolyline(QPolygonF({{10.5, 10.5}, {10.5, 6.5}, {14.5, 6.5}}));
+             draw_arrow(p, {14.5, 4.5}, {0, -1}, 2.6);
+             p.drawLine(QPointF(14.5, 6.5), QPointF(14.5, 4.5));
+         }},
+        {"pane.change",
+         [](QPainter& p) {
+             for (const auto& [y, x] :
+                  {std::pair(4.0, 11.0), std::pair(9.0, 6.0), std::pair(14.0, 12.5)}) {
+                 p.drawLine(QPointF(2.5, y), QPointF(x - 2, y));
+                 p.drawLine(QPointF(x + 2, y), QPointF(15.5, y));
+                 p.drawEllipse(QPointF(x, y), 2, 2);
+             }
+         }},
+        {"pane.compare",
+         [](QPainter& p) {
+             p.drawLine(QPointF(3, 6.5), QPointF(15, 6.5));
+             p.drawLine(QPointF(3, 11.5), QPointF(15, 11.5));
+             p.drawLine(QPointF(12, 2.5), QPointF(6, 15.5));
+         }},
+        {"lesson.list",
+         [](QPainter& p) {
+             p.drawPolyline(QPolygonF({{9, 4.5},
+                                       {6.5, 3},
+                                       {2.5, 3},
+                                       {2.5, 13.5},
+                                       {6.5, 13.5},
+                                       {9, 15},
+                                       {11.5, 13.5},
+                                       {15.5, 13.5},
+                                       {15.5, 3},
+                                       {11.5, 3},
+                                       {9, 4.5},
+                                       {9, 15}}));
+         }},
         {"look.dark",
          [](QPainter& p) {
              QPainterPath moon;

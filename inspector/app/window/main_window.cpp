@@ -157,6 +157,7 @@ QWidget* MainWindow::make_picture_box() {
     picture_ = new PicturePane(state_, feed_);
     hovered_ = new QLabel;
     hovered_->setMargin(4);
+    hovered_->setIndent(6);
     hovered_->setObjectName(QStringLiteral("aside"));
     hovered_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     show_hovered(std::nullopt);

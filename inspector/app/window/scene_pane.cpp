@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "drawing/angles.h"
+#include "drawing/coverage.h"
 #include "drawing/picking.h"
 #include "drawing/standard_views.h"
 #include "state/details.h"
@@ -29,6 +30,7 @@ namespace {
 constexpr double click_reach = 9;  // pixels around the cursor
 constexpr double drag_from = 4;    // pixels that make a click a drag
 constexpr double degrees_a_pixel = 0.4;
+constexpr int settle_time = 90;  // milliseconds without another view, shape or picture
 
 }  // namespace
 
@@ -66,6 +68,12 @@ ScenePane::ScenePane(State& state, PictureFeed& feed, QWidget* parent)
     connect(canvas_, &QOpenGLWidget::frameSwapped, this, &ScenePane::drawn);
     overlay_ = new SceneOverlay(state_, view_, canvas_);
     setMinimumSize(240, 180);
+    settled_.setSingleShot(true);
+    settled_.setInterval(settle_time);
+    connect(&settled_, &QTimer::timeout, this, [this] {
+        scene3d_.keep();
+        redraw();
+    });
     scene3d_.set_theme(palette_of(state_.look().theme));
     state_.observe([this](const Changes& changes) { obey(changes); });
     connect(&feed_, &PictureFeed::updated, this, &ScenePane::take_picture);
@@ -98,6 +106,7 @@ void ScenePane::obey(const Changes& changes) {
         view.eye = changes.view_from->eye;
         view.target = changes.view_from->target;
         view.up = changes.view_from->up;
+        standing_.reset();
         change_view(view);
     }
     if (changes.document || changes.tree || changes.selection || changes.look || changes.playback ||
@@ -110,32 +119,44 @@ void ScenePane::obey(Request request) {
     if (!state_.document()) {
         return;
     }
-    const Document& document = *state_.document();
-    if (request == Request::through_camera) {
-        change_view(camera_view(document, extent_, view_));
-    } else if (request == Request::from_side) {
-        change_view(side_view(document, extent_, paths_, view_));
-    } else if (request == Request::onto_hit && state_.tree() && state_.selected()->hit) {
-        change_view(hit_view(*state_.selected(), extent_, view_));
-    } else if (request == Request::fit_tree) {
-        change_view(fitted_above_legend(view_, points_of(paths_, extent_)));
-    } else if (request == Request::fit_selection) {
-        fit_selection();
+    const auto view = asked_view(request);
+    if (view) {
+        standing_ = request;
+        change_view(*view);
     }
 }
 
-void ScenePane::fit_selection() {
-    std::vector<Point3> points;
+std::optional<View> ScenePane::asked_view(Request request) const {
+    const Document& document = *state_.document();
+    switch (request) {
+        case Request::through_camera:
+            return camera_view(document, extent_, view_);
+        case Request::from_side:
+            return side_view(document, extent_, paths_, view_);
+        case Request::onto_hit:
+            return state_.tree() && state_.selected()->hit
+                       ? std::optional(hit_view(*state_.selected(), extent_, view_))
+                       : std::nullopt;
+        case Request::fit_tree:
+            return fitted_above_legend(view_, points_of(paths_, extent_));
+        case Request::fit_selection:
+            return fitted_above_legend(view_, selected_points(), 0.3);
+        default:
+            return std::nullopt;
+    }
+}
+
+std::vector<Point3> ScenePane::selected_points() const {
     if (state_.thing()) {
-        points = corners_of(*state_.document(), extent_, *state_.thing());
-    } else if (state_.tree()) {
-        std::vector<RayPath> chosen;
+        return corners_of(*state_.document(), extent_, *state_.thing());
+    }
+    std::vector<RayPath> chosen;
+    if (state_.tree()) {
         std::ranges::copy_if(paths_, std::back_inserter(chosen), [&](const RayPath& path) {
             return path.ray == state_.selected()->id;
         });
-        points = points_of(chosen, extent_);
     }
-    change_view(fitted_above_legend(view_, points, 0.3));
+    return points_of(chosen, extent_);
 }
 
 void ScenePane::take_document() {
@@ -218,10 +239,12 @@ bool ScenePane::prepare_frame() {
         stale_view_ = true;
     }
     if (std::exchange(stale_view_, false)) {
+        settled_.start();
         scene3d_.set_picture_place(picture_corners(*state_.document(), extent_.plane_distance),
                                    !looks_from_the_eye());
         if (state_.look().shapes == ShapeStyle::see_through) {
-            scene3d_.set_shape_order(sorted_triangles(mesh_, extent_, view_.eye));
+            shape_order_ = drawing_order(mesh_, extent_, view_.eye);
+            scene3d_.set_shape_order(triangles_of(mesh_, shape_order_));
         }
     }
     if (std::exchange(stale_rays_, false)) {
@@ -233,8 +256,9 @@ bool ScenePane::prepare_frame() {
 /// All that stands beside the shapes: it is made anew for each view and selection.
 void ScenePane::prepare_rays() {
     const Palette& palette = palette_of(state_.look().theme);
-    scene3d_.set_landmarks(landmarks({*state_.document(), state_.selected(), state_.pixel(),
-                                      extent_, view_, palette, state_.thing(), &mesh_}));
+    const Landmarks marks = landmarks({*state_.document(), state_.selected(), state_.pixel(),
+                                       extent_, view_, palette, state_.thing(), &mesh_});
+    const ExplainedMesh explained = explained_mesh(state_, extent_, view_);
     RayMeshes rays;
     AngleDrawing angles;
     if (state_.tree()) {
@@ -246,9 +270,11 @@ void ScenePane::prepare_rays() {
                                     state_.look().angles, state_.look().ghosts});
         }
     }
+    scene3d_.set_landmarks(marks);
     scene3d_.set_rays(rays);
     scene3d_.set_angles(angles);
-    scene3d_.set_explained(explained_mesh(state_, extent_, view_));
+    scene3d_.set_explained(explained);
+    lay_shapes_over({&marks.solid, &rays.solid, &rays.halo, &angles.solid, &explained.solid});
     scene3d_.set_view(view_);
     std::vector<SceneLabel> labels;
     for (const DrawnWords& words : angles.words) {
@@ -258,6 +284,27 @@ void ScenePane::prepare_rays() {
                       std::back_inserter(labels));
     std::ranges::stable_partition(labels, &SceneLabel::strong);
     overlay_->set_labels(std::move(labels));
+}
+
+/// Of many shapes only those are drawn once more that may stand before a ray or a mark.
+void ScenePane::lay_shapes_over(std::initializer_list<const Mesh*> things) {
+    constexpr std::size_t many = 20'000;  // triangles
+    if (state_.look().shapes != ShapeStyle::see_through || mesh_.faces.triangle_count() < many) {
+        return;
+    }
+    Coverage covered(view_);
+    for (const Mesh* const thing : things) {
+        covered.add(*thing);
+    }
+    std::vector<std::size_t> over;
+    std::ranges::copy_if(shape_order_, std::back_inserter(over), [&](std::size_t k) {
+        return covered.meets(mesh_.objects[k].centre, mesh_.objects[k].radius);
+    });
+    if (over.size() < shape_order_.size() / 2) {
+        scene3d_.set_shapes_over(part_of(mesh_, over));
+    } else {
+        scene3d_.set_all_shapes_over();
+    }
 }
 
 QImage ScenePane::image(QSize size) {
@@ -291,8 +338,8 @@ void ScenePane::resizeEvent(QResizeEvent*) {
     view_.width = std::max(1, width());
     view_.height = std::max(1, height());
     stale_view_ = true;
-    if (state_.document() && !canvas_->isVisible()) {
-        obey(Request::from_side);
+    if (state_.document() && standing_) {
+        obey(*standing_);
     }
     redraw();
 }
@@ -327,6 +374,7 @@ bool ScenePane::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonDblClick:
             return true;
         case QEvent::Wheel:
+            standing_.reset();
             change_view(zoomed(
                 view_, std::pow(1.15, static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0)));
             return true;
@@ -336,6 +384,7 @@ bool ScenePane::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ScenePane::drag(QPointF by, bool move) {
+    standing_.reset();
     change_view(move ? panned(view_, by.x(), -by.y())
                      : orbited(view_, by.x() * degrees_a_pixel, by.y() * degrees_a_pixel));
 }

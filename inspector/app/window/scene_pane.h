@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <initializer_list>
 #include <memory>
 
 #include "drawing/extent.h"
@@ -50,10 +51,13 @@ class ScenePane : public QWidget {
     void take_document();
     void take_tree();
     void take_picture();
-    void fit_selection();
+    /// None where there is no such view.
+    std::optional<View> asked_view(Request request) const;
+    std::vector<Point3> selected_points() const;
     void change_view(const View& view);
     void show_notes();
     void prepare_rays();
+    void lay_shapes_over(std::initializer_list<const Mesh*> things);
     bool looks_from_the_eye() const;
     /// Hands over what has changed since the last frame; whether anything has.
     bool prepare_frame();
@@ -72,15 +76,19 @@ class ScenePane : public QWidget {
     View view_;
     Extent extent_;
     SceneMesh mesh_;
+    std::vector<std::size_t> shape_order_;  ///< of its objects, where they are see-through
     std::vector<RayPath> paths_;
     bool stale_shapes_ = false;  ///< what the next frame has to be given anew
     bool stale_rays_ = false;
     bool stale_view_ = false;
     double mesh_pixel_ = 0;  ///< for which mesh_ has been made
     bool stale_picture_ = false;
+    QTimer settled_;  ///< runs out when the view has stood still for a while
     QPointF pressed_, last_;
     bool dragged_ = false;
     int frames_ = 0;
+    /// The view that was asked for, until it is turned by hand: it is fitted to the pane's size.
+    std::optional<Request> standing_ = Request::from_side;
 };
 
 }  // namespace raytree::inspector

@@ -42,7 +42,10 @@ StepsPane::StepsPane(State& state, QWidget* parent)
         {QStringLiteral("Open call"), QStringLiteral("waits for"), QStringLiteral("sum so far")});
     calls_->setRootIsDecorated(false);
     calls_->setUniformRowHeights(true);
+    calls_->header()->setStretchLastSection(false);
     calls_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    calls_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    calls_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* const layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(make_buttons());
