@@ -9,8 +9,9 @@
 namespace raytree::check {
 namespace {
 
-constexpr std::size_t rays_looked_at = 400;   // enough to tell mistakes apart
-constexpr std::size_t tried_with_others = 3;  // the best, in search of pairs
+constexpr std::size_t rays_looked_at = 400;    // enough to tell mistakes apart
+constexpr std::size_t tried_with_others = 3;   // the best, in search of pairs
+constexpr std::size_t most_causes_left = 500;  // by a mistake that is to be named
 constexpr std::size_t most_causes_of_a_pair = 200;
 constexpr std::size_t left_of_a_pair = 2;  // by rounding, at most
 
@@ -122,13 +123,14 @@ class Search {
 /// The fewest left first; of equals in the order of the catalogue.
 std::vector<Candidate> singles(const Search& search) {
     std::vector<Candidate> found;
+    const std::size_t enough = std::min(search.all(), most_causes_left);
     for (const MistakeRow& row : catalogue()) {
         std::optional<Candidate> best;
         for (const LawChange way : row.ways()) {
-            Candidate candidate = search.attempt({way}, search.all());
+            Candidate candidate = search.attempt({way}, enough);
             candidate.rows = {&row};
             candidate.way = way;
-            if (candidate.explains_first && candidate.left < search.all() &&
+            if (candidate.explains_first && candidate.left < enough &&
                 (!best || candidate.left < best->left)) {
                 best = std::move(candidate);
             }
