@@ -24,7 +24,7 @@ std::size_t Replay::shadow_child(std::size_t parent, std::size_t light) const {
     for (const std::size_t ray : submission_.children[parent]) {
         const auto& shadow = submission_.tree.rays[ray].shadow;
         if (!shadow) {
-            continue;
+            break;  // shadow rays come first, and a hostile tree has many others
         }
         if (shadow->light == name) {
             return ray;
@@ -48,7 +48,10 @@ void Replay::report_second_children(At at, Taint taint) {
     for (const RayKind kind : {RayKind::reflected, RayKind::refracted}) {
         bool first = true;
         for (const std::size_t ray : submission_.children[at.ray]) {
-            if (submission_.tree.rays[ray].kind != kind || full()) {
+            if (full()) {
+                return;
+            }
+            if (submission_.tree.rays[ray].kind != kind) {
                 continue;
             }
             if (!first) {
