@@ -226,9 +226,17 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
         const std::vector<Candidate> two =
             search.all() <= most_causes_of_a_pair ? pairs(search, alone) : std::vector<Candidate>();
         if (!two.empty()) {
+            const MistakeRow& second = *two.front().rows.back();
             for (const MistakeRow* row : two.front().rows) {
                 report.mistakes.push_back(named(*row));
                 report.mistakes.back().rays = explained(search, two.front());
+            }
+            for (const Candidate& other : alone) {
+                const MistakeRow* const row = other.rows.front();
+                if (other.left == fewest && row != two.front().rows.front() && row != &second &&
+                    pair_of(search, other.way, second)) {
+                    report.mistakes.front().ties.emplace_back(row->id);
+                }
             }
             for (std::size_t k = 1; k < two.size(); ++k) {
                 report.mistakes.back().ties.emplace_back(two[k].rows.back()->id);

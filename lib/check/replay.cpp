@@ -8,8 +8,6 @@
 namespace raytree::check {
 namespace {
 
-constexpr double largest_offset = 2e-3;  // of the distance from which a point is computed
-
 double brightness(const Place& place) {
     double most = largest_component(place.background);
     for (const auto& light : place.lights) {

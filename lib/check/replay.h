@@ -103,6 +103,8 @@ class Replay {
     double rounding(double size) const;
     bool set_off(At at, const Step& from, RayKind kind, const Vec& direction, Vec& origin);
     bool aims_from(At at, const Vec& origin, const Shine& shine);
+    bool is_in_between(const Blocker<double>& given, const Step& step, const Shine& shine) const;
+    void see_blocker(At at, const Step& step, Shine& shine, const Passage& passage, Taint& taint);
     Taint shadow_ray(At at, const Step& step, Shine& shine, Taint taint);
     struct Grown {
         Terms::Branch branch;

@@ -246,7 +246,7 @@ def plant_all(raytree, spot, form, table, correct, options):
                 correct.append((where, reports[key]["verdict"], reports[key]["profile"]))
 
 
-def plant_pairs(raytree, spot, wanted, seed):
+def plant_pairs(raytree, spot, wanted, seed, log=False):
     """Two mistakes at once: (both named, one, none)."""
     name, scene, pixels = spot
     source, rng = read_source(scene), random.Random(seed)
@@ -280,8 +280,11 @@ def plant_pairs(raytree, spot, wanted, seed):
     for key, names in cases.items():
         said = {x for m in reports[key]["mistakes"] for x in (m["id"], *m["ties"])}
         result[sum(n in said for n in names)] += 1
-        result["wrong and sure"] += any(
-            m["sure"] and not set(names) & {m["id"], *m["ties"]} for m in reports[key]["mistakes"])
+        wrong = [m["id"] for m in reports[key]["mistakes"]
+                 if m["sure"] and not set(names) & {m["id"], *m["ties"]}]
+        result["wrong and sure"] += bool(wrong)
+        if sum(n in said for n in names) < 2 and log:
+            print(f"  pair {names} at {name} {pixel}: {sorted(said)} {'SURE' if wrong else ''}")
     return result
 
 
@@ -326,7 +329,7 @@ def main():
                         and total["first"] >= 0.9 * total["changed"]))
         pairs = collections.Counter()
         for k, spot in enumerate(every if arguments.pairs else []):
-            pairs.update(plant_pairs(arguments.raytree, spot, arguments.pairs, k))
+            pairs.update(plant_pairs(arguments.raytree, spot, arguments.pairs, k, arguments.log))
         if arguments.pairs:
             tried = sum(pairs[n] for n in (0, 1, 2))
             print(f"pairs: {tried}; both named {pairs[2]}, one {pairs[1]}, none {pairs[0]}; "
