@@ -27,7 +27,7 @@ struct FreeView {
 using View = std::variant<NamedView, FreeView>;
 
 enum class ShapeLook { see_through, solid, wire };
-enum class Panel { picture, scene, outline, diagram, counts, details };
+enum class Panel { picture, scene, outline, diagram, counts, details, explained };
 enum class Formula {
     pixel,
     sphere,

@@ -13,7 +13,8 @@ using Words = ObjectReader::Words;
 const Words view_words = {"camera", "side", "tree", "ray"};
 const Words shape_words = {"see-through", "solid", "wire"};
 const Words overlay_words = {"rays", "levels", "tests", "time", "ended"};
-const Words panel_words = {"picture", "scene", "outline", "diagram", "counts", "details"};
+const Words panel_words = {"picture", "scene",   "outline",  "diagram",
+                           "counts",  "details", "explained"};
 const Words formula_words = {"pixel",        "sphere", "polygon",    "normal",     "media",
                              "illumination", "shadow", "reflection", "refraction", "attenuation",
                              "termination",  "bound",  "along"};

@@ -100,6 +100,11 @@ std::string text_of(Pixel pixel) { return std::to_string(pixel.i) + "," + std::t
 Document::Document(std::filesystem::path file, LoadedScene loaded)
     : file_(std::move(file)), loaded_(std::move(loaded)), world_(loaded_.scene) {}
 
+const World<Quad>& Document::reference() const {
+    std::call_once(reference_asked_, [this] { reference_.emplace(loaded_.scene); });
+    return *reference_;
+}
+
 bool Document::contains(Pixel pixel) const {
     const Camera& camera = scene().camera;
     return pixel.i >= 0 && pixel.j >= 0 && pixel.i < camera.width && pixel.j < camera.height;

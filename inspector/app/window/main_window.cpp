@@ -132,7 +132,8 @@ void MainWindow::show_lesson() {
         lesson_dock_->setVisible(shown);
         share_room();
     }
-    QWidget* const panes[] = {picture_, scene_, tree_dock_, tree_dock_, tree_dock_, details_};
+    QWidget* const panes[] = {picture_,   scene_,   tree_dock_, tree_dock_,
+                              tree_dock_, details_, tree_dock_};
     const LessonRun* const lesson = state_.lesson();
     const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
                            ? lesson->here().show.panel
