@@ -3,7 +3,7 @@
 #include <array>
 #include <iostream>
 
-#include "formats/utf8.h"
+#include "scene/utf8.h"
 #include "values.h"
 
 namespace raytree::cli {

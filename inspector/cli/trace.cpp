@@ -135,7 +135,7 @@ int trace(const Arguments& arguments) {
     expect_writable(arguments.output, arguments.scene.file);
     const LoadedScene loaded = arguments.scene.load();
     const std::string text = with_arithmetic(arguments.precision, [&]<class T>() {
-        const World<T> world(loaded.scene);
+        const World<T> world(loaded.scene, Build::where_rays_go);
         RayTree<T> tree = record_tree(world, arguments.pixel.first, arguments.pixel.second);
         tree.scene_sha256 = loaded.sha256;
         return written(tree, loaded.scene, arguments);

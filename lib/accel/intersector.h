@@ -1,11 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <concepts>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
+#include "accel/growing_hierarchy.h"
 #include "accel/kernels.h"
 
 namespace raytree {
@@ -21,15 +25,98 @@ struct NoTestCount {
     std::size_t* total() { return nullptr; }
 };
 
+/// What is built before a ray is sent.
+enum class Build {
+    whole,          ///< the hierarchy over all shapes
+    where_rays_go,  ///< what a pixel's rays need; the whole when many rays come at once
+};
+
+/// The hierarchy over all shapes of a set.
+template <class T> WideBvh hierarchy_of(const ShapeSet<T>& shapes);
+
+/// All shapes, or some of them, for the kernels. The shapes must outlive it.
+Searched searched_of(const ShapeSet<double>& shapes);
+Searched searched_among(const ShapeSet<double>& shapes, std::span<const PrimitiveId> some);
+
+/// What shapes in double are searched with: all that there is once it is whole, and until then a
+/// hierarchy that grows with its rays.
+class DoubleSearch {
+  public:
+    DoubleSearch(const ShapeSet<double>& shapes, Build build);
+
+    /// Built now where it is not yet. May be called by several threads at a time.
+    const Searched& whole() const {
+        if (!is_whole()) {
+            build_whole();
+        }
+        return whole_;
+    }
+    bool is_whole() const { return is_whole_.load(std::memory_order_acquire); }
+
+    Hit<double> closest(const Query<double>& query, std::size_t* tests) const {
+        return is_whole() ? kernels().closest(whole_, query, tests)
+                          : growing_->closest(query, tests);
+    }
+    PrimitiveId any(const Query<double>& query, std::size_t* tests) const {
+        return is_whole() ? kernels().any(whole_, query, tests) : growing_->any(query, tests);
+    }
+    template <class Visit>
+    void traverse(const Ray<double>& ray, double t_max, Visit&& visit) const {
+        if (is_whole()) {
+            const WideBvh& bvh = whole_.bvh;
+            bvh.traverse(bvh.prepare(ray.origin, ray.direction), t_max, visit);
+        } else {
+            growing_->traverse(ray.origin, ray.direction, t_max, visit);
+        }
+    }
+
+  private:
+    /// Fewer are soon built upon.
+    static constexpr std::size_t fewest_to_grow = 10'000;
+
+    void build_whole() const;
+
+    const ShapeSet<double>& shapes_;
+    std::unique_ptr<GrowingHierarchy> growing_;  ///< null where all was built at once
+    mutable Searched whole_{};
+    mutable std::once_flag once_;
+    mutable std::atomic<bool> is_whole_{false};
+};
+
+/// The other arithmetics meet the shapes one by one.
+template <class T> class PlainSearch {
+  public:
+    PlainSearch(const ShapeSet<T>& shapes, Build) : bvh_(hierarchy_of(shapes)) {}
+
+    const WideBvh& bvh() const { return bvh_; }
+    template <class Visit> void traverse(const Ray<T>& ray, double t_max, Visit&& visit) const {
+        bvh_.traverse(
+            bvh_.prepare(vector_cast<double>(ray.origin), vector_cast<double>(ray.direction)),
+            t_max, visit);
+    }
+
+  private:
+    WideBvh bvh_;
+};
+
 /// Answers what a ray meets among all shapes of a scene. The answers depend on the shapes alone,
 /// not on the hierarchy that spares testing them, nor on how many rays are asked about at a time.
 template <class T> class Intersector {
   public:
     /// The scene must outlive the intersector.
-    explicit Intersector(const Scene& scene);
+    explicit Intersector(const Scene& scene, Build build = Build::whole)
+        : shapes_(scene), search_(shapes_, build) {}
 
-    const ShapeSet<T>& shapes() const { return searched_.shapes; }
-    const WideBvh& hierarchy() const { return searched_.bvh; }
+    const ShapeSet<T>& shapes() const { return shapes_; }
+    /// Builds now what has not been built yet: before many rays that come one by one.
+    void complete() const { hierarchy(); }
+    const WideBvh& hierarchy() const {
+        if constexpr (in_double) {
+            return search_.whole().bvh;
+        } else {
+            return search_.bvh();
+        }
+    }
     /// What shapes and hierarchy take, the scene's own vertices left out.
     std::size_t bytes() const;
 
@@ -39,7 +126,17 @@ template <class T> class Intersector {
 
     /// Whether there is a hit at all.
     template <class Count>
-    bool any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval, Count& count) const;
+    bool any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval, Count& count) const {
+        return occluder(ray, leaving, interval, count) != no_primitive;
+    }
+
+    /// Some shape that is hit, not always the first; no_primitive where there is none.
+    template <class Count> PrimitiveId occluder(const Ray<T>& ray, PrimitiveId leaving,
+                                                Interval<T> interval, Count& count) const;
+
+    /// Whether this very shape is hit.
+    bool meets(PrimitiveId shape, const Ray<T>& ray, PrimitiveId leaving,
+               Interval<T> interval) const;
 
     /// The first hit of each query; its primitive is no_primitive where there is none.
     /// `hits` is as long as `queries`.
@@ -55,12 +152,7 @@ template <class T> class Intersector {
                                                    Interval<T> interval, Count& count) const;
 
   private:
-    /// Double has kernels of its own; the other arithmetics meet the shapes one by one.
     static constexpr bool in_double = std::same_as<T, double>;
-    struct Plainly {
-        ShapeSet<T> shapes;
-        WideBvh bvh{};
-    };
 
     /// Calls `found(hit)` for the hits of the shapes whose boxes the ray meets; it returns the new
     /// upper end of the interval, or a negative number to stop.
@@ -68,23 +160,14 @@ template <class T> class Intersector {
                                                         Interval<T> interval, Count& count,
                                                         Found&& found) const;
 
-    std::conditional_t<in_double, Searched, Plainly> searched_;
+    ShapeSet<T> shapes_;
+    std::conditional_t<in_double, DoubleSearch, PlainSearch<T>> search_;
 };
-
-/// The hierarchy over all shapes.
-template <class T> WideBvh hierarchy_of(const ShapeSet<T>& shapes);
-
-template <class T> Intersector<T>::Intersector(const Scene& scene) : searched_{ShapeSet<T>(scene)} {
-    searched_.bvh = hierarchy_of(searched_.shapes);
-    if constexpr (in_double) {
-        searched_.filter = LeafFilter(searched_.shapes, searched_.bvh);
-    }
-}
 
 template <class T> std::size_t Intersector<T>::bytes() const {
     std::size_t bytes = shapes().bytes() + hierarchy().bytes();
     if constexpr (in_double) {
-        bytes += searched_.filter.bytes();
+        bytes += search_.whole().filter.bytes();
     }
     return bytes;
 }
@@ -92,26 +175,24 @@ template <class T> std::size_t Intersector<T>::bytes() const {
 template <class T> template <class Count, class Found>
 void Intersector<T>::visit_hits(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval,
                                 Count& count, Found&& found) const {
-    const auto box_ray =
-        hierarchy().prepare(vector_cast<double>(ray.origin), vector_cast<double>(ray.direction));
     T end = interval.to;
-    hierarchy().traverse(box_ray, static_cast<double>(end),
-                         [&](std::span<const std::uint32_t> items, double) -> double {
-                             for (const PrimitiveId id : items) {
-                                 count.add();
-                                 const Roots<T> roots = shapes().intersect(id, ray, leaving);
-                                 for (int k = 0; k < roots.count; ++k) {
-                                     const T t = roots.t[static_cast<std::size_t>(k)];
-                                     if (t <= end && interval.contains(t)) {
-                                         end = found(Hit<T>{t, id});
-                                         if (end < 0) {
-                                             return -1;
-                                         }
+    search_.traverse(ray, static_cast<double>(end),
+                     [&](std::span<const std::uint32_t> items, double) -> double {
+                         for (const PrimitiveId id : items) {
+                             count.add();
+                             const Roots<T> roots = shapes().intersect(id, ray, leaving);
+                             for (int k = 0; k < roots.count; ++k) {
+                                 const T t = roots.t[static_cast<std::size_t>(k)];
+                                 if (t <= end && interval.contains(t)) {
+                                     end = found(Hit<T>{t, id});
+                                     if (end < 0) {
+                                         return -1;
                                      }
                                  }
                              }
-                             return static_cast<double>(end);
-                         });
+                         }
+                         return static_cast<double>(end);
+                     });
 }
 
 template <class T> template <class Count>
@@ -119,7 +200,7 @@ std::optional<Hit<T>> Intersector<T>::closest(const Ray<T>& ray, PrimitiveId lea
                                               Interval<T> interval, Count& count) const {
     std::optional<Hit<T>> best;
     if constexpr (in_double) {
-        const Hit<T> hit = kernels().closest(searched_, {ray, leaving, interval}, count.total());
+        const Hit<T> hit = search_.closest({ray, leaving, interval}, count.total());
         if (hit.primitive != no_primitive) {
             best = hit;
         }
@@ -135,25 +216,36 @@ std::optional<Hit<T>> Intersector<T>::closest(const Ray<T>& ray, PrimitiveId lea
 }
 
 template <class T> template <class Count>
-bool Intersector<T>::any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval,
-                         Count& count) const {
+PrimitiveId Intersector<T>::occluder(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval,
+                                     Count& count) const {
     if constexpr (in_double) {
-        return kernels().any(searched_, {ray, leaving, interval}, count.total());
+        return search_.any({ray, leaving, interval}, count.total());
     } else {
-        bool met = false;
-        visit_hits(ray, leaving, interval, count, [&](const Hit<T>&) {
-            met = true;
+        PrimitiveId met = no_primitive;
+        visit_hits(ray, leaving, interval, count, [&](const Hit<T>& hit) {
+            met = hit.primitive;
             return T(-1);
         });
         return met;
     }
 }
 
+template <class T> bool Intersector<T>::meets(PrimitiveId shape, const Ray<T>& ray,
+                                              PrimitiveId leaving, Interval<T> interval) const {
+    const Roots<T> roots = shapes().intersect(shape, ray, leaving);
+    for (int k = 0; k < roots.count; ++k) {
+        if (interval.contains(roots.t[static_cast<std::size_t>(k)])) {
+            return true;
+        }
+    }
+    return false;
+}
+
 template <class T> void Intersector<T>::closest(std::span<const Query<T>> queries,
                                                 std::span<Hit<T>> hits, Together together) const {
     if constexpr (in_double) {
         (together == Together::coherent ? kernels().closest_in_packets : kernels().closest_of_each)(
-            searched_, queries, hits);
+            search_.whole(), queries, hits);
     } else {
         NoTestCount count;
         for (std::size_t k = 0; k < queries.size(); ++k) {
@@ -167,7 +259,7 @@ template <class T> void Intersector<T>::any(std::span<const Query<T>> queries,
                                             std::span<std::uint8_t> met, Together together) const {
     if constexpr (in_double) {
         (together == Together::coherent ? kernels().any_in_packets : kernels().any_of_each)(
-            searched_, queries, met);
+            search_.whole(), queries, met);
     } else {
         NoTestCount count;
         for (std::size_t k = 0; k < queries.size(); ++k) {

@@ -9,9 +9,9 @@
 
 namespace raytree {
 
-/// What the kernels look at: a scene's shapes in double with what spares testing them.
+/// What the kernels look at: shapes in double, all or some of a set, with what spares testing them.
 struct Searched {
-    ShapeSet<double> shapes;
+    const ShapeSet<double>* shapes = nullptr;
     WideBvh bvh{};
     LeafFilter filter{};
 };
@@ -23,7 +23,8 @@ struct Kernels {
 
     /// One ray; `tests` counts shapes tested, where it is not null.
     Hit<double> (*closest)(const Searched&, const Query<double>&, std::size_t* tests);
-    bool (*any)(const Searched&, const Query<double>&, std::size_t* tests);
+    /// Some shape that is hit, no_primitive where there is none.
+    PrimitiveId (*any)(const Searched&, const Query<double>&, std::size_t* tests);
     /// Many, several on their way at a time.
     void (*closest_of_each)(const Searched&, Queries, std::span<Hit<double>>);
     void (*any_of_each)(const Searched&, Queries, std::span<std::uint8_t>);
@@ -35,9 +36,13 @@ struct Kernels {
 extern const Kernels plain_kernels;
 #if defined(__x86_64__) && defined(__GNUC__)
 extern const Kernels avx2_kernels;
+extern const Kernels avx512_kernels;
 #endif
 
-/// Those for the processor that the program runs on.
+/// Those that the processor can run, the fastest last.
+std::span<const Kernels* const> runnable_kernels();
+
+/// The fastest of them.
 const Kernels& kernels();
 
 }  // namespace raytree

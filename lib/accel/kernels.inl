@@ -12,12 +12,15 @@ struct Traveller {
     unsigned order_shift = 0;                        ///< where its octant's order of children is
     float limit = 0;                                 ///< boxes beyond are of no use
 
-    // For the filter: the axes in the order in which the last is the direction's largest.
-    std::array<unsigned, 3> axis;
-    std::array<float, 3> origin;  ///< on these axes
+    RayFrame<double> frame;  ///< for the triangles
+
+    // For the filter, on the axes of the frame: the last is the direction's largest.
+    std::array<std::size_t, 3> axis;
+    std::array<float, 3> origin;
     std::array<float, 3> direction;
     float shear_x = 0, shear_y = 0;
-    float error = 0;  ///< bound on a coordinate's after the shear
+    float error = 0;         ///< bound on a coordinate's after the shear
+    float origin_error = 0;  ///< bound on that of a corner minus the origin, before it is rounded
 
     const Query<double>* query = nullptr;
     double end = 0;  ///< hits are looked for at t <= end
@@ -26,7 +29,7 @@ struct Traveller {
 
 inline void set_out(const Searched& searched, const Query<double>& query, Traveller& ray) {
     const Vec3<double>& d = query.ray.direction;
-    ray.box = searched.bvh.prepare(query.ray.origin, d);
+    searched.bvh.prepare(query.ray.origin, d, ray.box);
     unsigned octant = 0;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t backwards = ray.box.inverse[axis] < 0 ? 1 : 0;
@@ -40,24 +43,27 @@ inline void set_out(const Searched& searched, const Query<double>& query, Travel
     ray.best = {Real<double>::infinity, no_primitive};
     ray.limit = ray.box.upper(ray.end);
 
-    const double ax = std::abs(d.x), ay = std::abs(d.y), az = std::abs(d.z);
-    const unsigned z = ax > ay ? (az > ax ? 2 : 0) : (az > ay ? 2 : 1);
-    ray.axis = {z == 2 ? 0 : z + 1, z == 0 ? 2 : z - 1, z};
+    std::construct_at(&ray.frame, d);
+    ray.axis = {static_cast<std::size_t>(ray.frame.x), static_cast<std::size_t>(ray.frame.y),
+                static_cast<std::size_t>(ray.frame.z)};
     const Vec3<double> o = searched.filter.origin_of(ray.box);
+    constexpr double farthest = 1e18;  // products stay finite; the error is far larger there
     for (std::size_t k = 0; k < 3; ++k) {
         const int a = static_cast<int>(ray.axis[k]);
-        ray.origin[k] = static_cast<float>(o[a]);
+        ray.origin[k] = static_cast<float>(std::min(std::max(o[a], -farthest), farthest));
         ray.direction[k] = static_cast<float>(d[a]);
     }
-    const float inverse = ray.box.inverse[z];
-    ray.shear_x = ray.direction[0] * inverse;
-    ray.shear_y = ray.direction[1] * inverse;
+    ray.shear_x = static_cast<float>(ray.frame.shear_x);
+    ray.shear_y = static_cast<float>(ray.frame.shear_y);
     // With R = |v| + |o|: 2 u R for the copies and their difference, as much again through the
-    // shear, 3 u R for the shear's own rounding, 3 u R for the product and the sum.
+    // shear, 3 u R for the shear's own rounding, 3 u R for the product and the sum; and twice what
+    // double has lost of a far origin, before and after the shear.
     constexpr float roundoff = 0x1p-24F;
-    ray.error = 12 * roundoff *
-                (static_cast<float>(searched.filter.reach()) + std::abs(ray.origin[0]) +
-                 std::abs(ray.origin[1]) + std::abs(ray.origin[2]));
+    const float away =
+        std::abs(ray.origin[0]) + std::abs(ray.origin[1]) + std::abs(ray.origin[2]);
+    const auto lost = static_cast<float>(ray.box.error);
+    ray.error = 12 * roundoff * (static_cast<float>(searched.filter.reach()) + away) + 2 * lost;
+    ray.origin_error = roundoff * away + searched.filter.edge_error() + 2 * lost;
 }
 
 /// Where the ray enters the eight children, and which of them it meets.
@@ -79,7 +85,7 @@ inline unsigned enter_children(const WideBvh::Node& node, const Traveller& ray, 
 /// The triangles of a leaf that the ray's line may pass through: Woop's test in float, an edge
 /// function counting as 0 where rounding may have made its sign. With E the bound on a coordinate's
 /// error and S the sum of the six coordinates' sizes, an edge function's is under 2 E S + 4 E^2.
-inline unsigned filter_triangles(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
     F8 x[3], y[3];
@@ -103,8 +109,44 @@ inline unsigned filter_triangles(const LeafFilter& filter, Ref leaf, const Trave
            less_equal(zero - error, min(min(e0, e1), e2));
 }
 
-/// The spheres of a leaf whose centre the ray's line may pass within a radius. The centre's
-/// distance has an error of some roundings of |c - o|, the bound taken is twice a coordinate's.
+/// The triangles of a leaf whose planes the ray may meet between its start and its limit: the
+/// plane is met at t = (n . a) / (n . d), with n the product of the edges e and f. With u the
+/// roundoff, h the copies' part in an edge's error and | | the sum of three sizes, n . x has an
+/// error under q |x|, q = 12 u |e||f| + 3 h (|e| + |f| + h), and a one of its own. What is edge-on
+/// within this error may be met anywhere.
+inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    constexpr float roundoff = 0x1p-24F;
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 a[3], e[3], f[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const F8 corner = F8::load(rows + ray.axis[k] * n);
+        a[k] = corner - F8::all(ray.origin[k]);
+        e[k] = F8::load(rows + (3 + ray.axis[k]) * n) - corner;
+        f[k] = F8::load(rows + (6 + ray.axis[k]) * n) - corner;
+    }
+    F8 distance = F8::all(0), speed = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const F8 normal = multiply_subtract(e[i], f[j], e[j] * f[i]);
+        distance = multiply_add(normal, a[k], distance);
+        speed = multiply_add(normal, F8::all(ray.direction[k]), speed);
+    }
+    const auto size = [](const F8(&v)[3]) { return abs(v[0]) + abs(v[1]) + abs(v[2]); };
+    const F8 size_e = size(e), size_f = size(f);
+    const F8 area = size_e * size_f;
+    const F8 h = F8::all(filter.edge_error());
+    const F8 q = multiply_add(area, F8::all(12 * roundoff),
+                              F8::all(3) * (h * (size_e + size_f + h)));
+    const F8 error = multiply_add(q, size(a), area * F8::all(2 * ray.origin_error));
+    const F8 ahead = with_sign_of(speed, distance);
+    return less_equal(abs(speed), q) |
+           (less_equal(F8::all(0) - error, ahead) &
+            less_equal(ahead, multiply_add(F8::all(ray.limit), abs(speed) + q, error)));
+}
+
+/// The spheres of a leaf whose centre the ray may pass within a radius. The centre's distance has
+/// an error of some roundings of |c - o|, the bound taken is twice a coordinate's.
 inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
@@ -120,7 +162,8 @@ inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Travell
         square = multiply_add(across, across, square);
     }
     const F8 reach = F8::load(rows + 3 * n) * F8::all(1 + 0x1p-20F) + F8::all(3 * ray.error);
-    return less_equal(square, reach * reach);
+    return less_equal(square, reach * reach) & less_equal(F8::all(0) - reach, along) &
+           less_equal(along - reach, F8::all(ray.limit));
 }
 
 /// The cones of a leaf whose axis the ray's line may pass within the larger radius. With w = d x a
@@ -149,31 +192,67 @@ inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller
 /// Which shapes of a leaf are to be met in double, a bit for each.
 inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const unsigned all = (2U << (leaf.count() - 1)) - 1;
-    return leaf.kind() == LeafFilter::triangle ? filter_triangles(filter, leaf, ray) & all
-           : leaf.kind() == LeafFilter::sphere ? filter_spheres(filter, leaf, ray) & all
-           : leaf.kind() == LeafFilter::cone   ? filter_cones(filter, leaf, ray) & all
-                                               : all;
+    if (leaf.kind() == LeafFilter::triangle) {
+        const unsigned passed = filter_lines(filter, leaf, ray) & all;
+        return passed == 0 ? 0 : filter_planes(filter, leaf, ray) & passed;
+    }
+    return leaf.kind() == LeafFilter::sphere ? filter_spheres(filter, leaf, ray) & all
+           : leaf.kind() == LeafFilter::cone ? filter_cones(filter, leaf, ray) & all
+                                             : all;
 }
 
-/// The triangle at a lane of a leaf, met in double. Flattened, so that its fused multiply-adds are
-/// instructions where there are such.
+/// The triangle at a lane of a leaf, met in double, as `intersect` does it. Flattened, so that its
+/// fused multiply-adds are instructions where there are such.
 [[gnu::flatten]] inline Roots<double> meet_triangle(const Searched& searched, Ref leaf,
-                                                    std::size_t lane, PrimitiveId id,
-                                                    const Query<double>& query) {
-    return intersect(searched.filter.triangle_of(leaf, lane), query.ray,
-                     start_on(id, query.leaving));
+                                                    std::size_t lane, const Traveller& ray,
+                                                    Start start) {
+    if (start == Start::on_this_shape) {
+        return {};
+    }
+    const LeafFilter::Exact numbers(searched.filter, leaf, lane);
+    const Ray<double>& line = ray.query->ray;
+    const RayFrame<double>& frame = ray.frame;
+    const double ox = line.origin[frame.x], oy = line.origin[frame.y], oz = line.origin[frame.z];
+    std::array<double, 3> px, py;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double z = numbers[3 * k + ray.axis[2]] - oz;
+        px[k] = (numbers[3 * k + ray.axis[0]] - ox) - frame.shear_x * z;
+        py[k] = (numbers[3 * k + ray.axis[1]] - oy) - frame.shear_y * z;
+    }
+    return encloses_origin(px, py)
+               ? intersect_inside(searched.filter.triangle_of(leaf, lane), line, frame, start)
+               : Roots<double>{};
 }
 
-[[gnu::flatten]] inline Roots<double> meet_sphere(const Searched& searched, PrimitiveId id,
-                                                  const Query<double>& query) {
-    return intersect(searched.shapes.sphere(searched.shapes[id]), query.ray,
-                     start_on(id, query.leaving));
+[[gnu::flatten]] inline Roots<double> meet_sphere(const Searched& searched, Ref leaf,
+                                                  std::size_t lane, const Traveller& ray,
+                                                  Start start) {
+    return intersect(searched.filter.sphere_of(leaf, lane), ray.query->ray, start);
 }
 
-[[gnu::flatten]] inline Roots<double> meet_cone(const Searched& searched, PrimitiveId id,
-                                                const Query<double>& query) {
-    return intersect(searched.shapes.cone(searched.shapes[id]), query.ray,
-                     start_on(id, query.leaving));
+[[gnu::flatten]] inline Roots<double> meet_cone(const Searched& searched, Ref leaf,
+                                                std::size_t lane, const Traveller& ray,
+                                                Start start) {
+    return intersect(searched.filter.cone_of(leaf, lane), ray.query->ray, start);
+}
+
+/// The shape at a lane of a leaf, met in double.
+inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
+                          const Traveller& ray) {
+    const auto id = [&] { return searched.bvh.items()[leaf.first() + lane]; };
+    const PrimitiveId leaving = ray.query->leaving;
+    const Start start =
+        leaving == no_primitive ? Start::anywhere : start_on(id(), leaving);
+    switch (leaf.kind()) {
+        case LeafFilter::triangle:
+            return meet_triangle(searched, leaf, lane, ray, start);
+        case LeafFilter::sphere:
+            return meet_sphere(searched, leaf, lane, ray, start);
+        case LeafFilter::cone:
+            return meet_cone(searched, leaf, lane, ray, start);
+        default:
+            return searched.shapes->intersect(id(), ray.query->ray, leaving);
+    }
 }
 
 /// Meets the shapes of a leaf; true where nothing more is to be looked for.
@@ -182,15 +261,13 @@ inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
     const Query<double>& query = *ray.query;
     for (unsigned left = filter_leaf(searched.filter, leaf, ray); left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        const PrimitiveId id = searched.bvh.items()[leaf.first() + lane];
-        const Roots<double> roots =
-            leaf.kind() == LeafFilter::triangle ? meet_triangle(searched, leaf, lane, id, query)
-            : leaf.kind() == LeafFilter::sphere ? meet_sphere(searched, id, query)
-            : leaf.kind() == LeafFilter::cone   ? meet_cone(searched, id, query)
-                : searched.shapes.intersect(id, query.ray, query.leaving);
+        const Roots<double> roots = meet(searched, leaf, lane, ray);
         for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
-            const Hit<double> hit{roots.t[k], id};
-            if (query.interval.contains(hit.t) && hit < ray.best) {
+            if (!query.interval.contains(roots.t[k]) || roots.t[k] > ray.best.t) {
+                continue;
+            }
+            const Hit<double> hit{roots.t[k], searched.bvh.items()[leaf.first() + lane]};
+            if (hit < ray.best) {
                 ray.best = hit;
                 if constexpr (any_will_do) {
                     return true;
@@ -203,8 +280,10 @@ inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
     return false;
 }
 
-/// What is yet to be visited: places are written in eights, so some more than are used.
-struct Waiting {
+/// What is yet to be visited: places are written in eights, so some more than are used. Where any
+/// hit will do, the limit stays as it is: then the order does not matter, and where a child is
+/// entered is not kept.
+template <bool any_will_do> struct Waiting {
     static constexpr std::size_t places = WideBvh::stack_size + 8;
     std::array<float, places> near;
     std::array<std::uint32_t, places> ref;
@@ -221,16 +300,33 @@ struct Waiting {
     }
     void append_children(const WideBvh::Node& node, const Traveller& ray, const F8& entered,
                          unsigned met) {
-        top += append(entered, reinterpret_cast<const std::uint32_t*>(node.child.data()), met,
-                      node.order.data(), ray.order_shift, &near[top], &ref[top]);
+        const auto* const children = reinterpret_cast<const std::uint32_t*>(node.child.data());
+        if constexpr (any_will_do) {
+            top += append_unordered(children, met, &ref[top]);
+        } else {
+            top += append(entered, children, met, node.order.data(), ray.order_shift, &near[top],
+                          &ref[top]);
+        }
+    }
+    /// Takes out the next that is worth a visit; false where there is none.
+    bool pop(float limit, Ref& next) {
+        while (top > 0) {
+            --top;
+            if (any_will_do || near[top] <= limit) {
+                next = Ref::of(ref[top]);
+                return true;
+            }
+        }
+        return false;
     }
 };
 
 /// The node or leaf to go on with among the children of a node, the others left waiting; false
 /// where there is none. What most often happens, one child or two, has branches of its own, which
 /// the processor guesses and so goes on before it knows.
-inline bool choose_child(const WideBvh::Node& node, const Traveller& ray, Waiting& waiting,
-                         Ref& next) {
+template <bool any_will_do>
+inline bool choose_child(const WideBvh::Node& node, const Traveller& ray,
+                         Waiting<any_will_do>& waiting, Ref& next) {
     F8 entered;
     unsigned met = enter_children(node, ray, entered);
     if (met == 0) {
@@ -261,8 +357,8 @@ inline bool choose_child(const WideBvh::Node& node, const Traveller& ray, Waitin
 
 /// One ray, from a node or leaf on, to its end. True where it has met what is looked for.
 template <bool any_will_do, bool counted>
-inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting, Ref next,
-                   std::size_t* tests) {
+inline bool travel(const Searched& searched, Traveller& ray, Waiting<any_will_do>& waiting,
+                   Ref next, std::size_t* tests) {
     const WideBvh::Node* const nodes = searched.bvh.nodes().data();
     for (;;) {
         bool here = true;
@@ -277,13 +373,9 @@ inline bool travel(const Searched& searched, Traveller& ray, Waiting& waiting, R
                 return true;
             }
         }
-        do {
-            if (waiting.top == 0) {
-                return ray.best.primitive != no_primitive;
-            }
-            --waiting.top;
-        } while (waiting.near[waiting.top] > ray.limit);
-        next = Ref::of(waiting.ref[waiting.top]);
+        if (!waiting.pop(ray.limit, next)) {
+            return ray.best.primitive != no_primitive;
+        }
     }
 }
 
@@ -291,7 +383,7 @@ template <bool any_will_do>
 Traveller follow_one(const Searched& searched, const Query<double>& query, std::size_t* tests) {
     Traveller ray;
     set_out(searched, query, ray);
-    Waiting waiting;
+    Waiting<any_will_do> waiting;
     if (tests) {
         travel<any_will_do, true>(searched, ray, waiting, Ref::to_node(0), tests);
     } else {
@@ -304,9 +396,9 @@ Hit<double> closest(const Searched& searched, const Query<double>& query, std::s
     return searched.bvh.empty() ? Hit<double>{} : follow_one<false>(searched, query, tests).best;
 }
 
-bool any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
-    return !searched.bvh.empty() &&
-           follow_one<true>(searched, query, tests).best.primitive != no_primitive;
+PrimitiveId any(const Searched& searched, const Query<double>& query, std::size_t* tests) {
+    return searched.bvh.empty() ? no_primitive
+                                : follow_one<true>(searched, query, tests).best.primitive;
 }
 
 /// Where the answers go.
@@ -355,7 +447,7 @@ template <bool any_will_do, class Answers> class Flight {
 
     struct Seat {
         Traveller ray;
-        Waiting waiting;
+        Waiting<any_will_do> waiting;
         std::size_t query = 0;
         Ref next;
     };
@@ -378,18 +470,13 @@ template <bool any_will_do, class Answers> class Flight {
 
     void go_on(std::uint32_t seat) {
         Seat& s = seats_[seat];
-        Waiting& waiting = s.waiting;
-        while (waiting.top > 0) {
-            --waiting.top;
-            if (waiting.near[waiting.top] <= s.ray.limit) {
-                s.next = Ref::of(waiting.ref[waiting.top]);
-                prefetch(searched_, s.next);
-                const std::size_t list = s.next.is_leaf() ? 1 : 0;
-                lists_[list][counts_[list]++] = seat;
-                return;
-            }
+        if (!s.waiting.pop(s.ray.limit, s.next)) {
+            leave(seat);
+            return;
         }
-        leave(seat);
+        prefetch(searched_, s.next);
+        const std::size_t list = s.next.is_leaf() ? 1 : 0;
+        lists_[list][counts_[list]++] = seat;
     }
 
     void visit_node(std::uint32_t seat) {
@@ -457,37 +544,46 @@ template <bool any_will_do> class Packet {
         near_row_ = one.near_row;
         far_row_ = one.far_row;
         order_shift_ = one.order_shift;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            float low = Real<float>::infinity, high = -low;
-            Bounds& b = bounds_[axis];
-            b = {0, 0, low, high, 0};
-            for (std::size_t k = 0; k < most; ++k) {
-                const Traveller& ray = (group >> k & 1) != 0 ? rays_[k] : one;
-                const WideBvh::BoxRay& box = ray.box;
+        std::array<std::array<float, most>, 3> origin;
+        for (std::size_t k = 0; k < most; ++k) {
+            const bool in_group = (group >> k & 1) != 0;
+            const WideBvh::BoxRay& box = (in_group ? rays_[k] : one).box;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
                 inverse_[axis][k] = box.inverse[axis];
                 near_bias_[axis][k] = box.near_bias[axis];
                 far_bias_[axis][k] = box.far_bias[axis];
-                const auto origin = static_cast<float>(box.origin[static_cast<int>(axis)]);
-                low = std::min(low, origin);
-                high = std::max(high, origin);
-                b.low_inverse = std::min(b.low_inverse, box.inverse[axis]);
-                b.high_inverse = std::max(b.high_inverse, box.inverse[axis]);
-                b.error = std::max(b.error, box.near_bias[axis] - box.far_bias[axis]);
+                origin[axis][k] = static_cast<float>(box.origin[static_cast<int>(axis)]);
             }
+            limit_[k] = in_group ? rays_[k].limit : -1.0F;
+        }
+        find_farthest();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float low = smallest(origin[axis]), high = largest(origin[axis]);
+            const F8 error = max(F8::load(&near_bias_[axis][0]) - F8::load(&far_bias_[axis][0]),
+                                 F8::load(&near_bias_[axis][8]) - F8::load(&far_bias_[axis][8]));
+            Bounds& b = bounds_[axis];
+            b.low_inverse = smallest(inverse_[axis]);
+            b.high_inverse = largest(inverse_[axis]);
+            b.error = largest_of(error);
             const bool backwards = b.low_inverse < 0;
             b.near_origin = backwards ? low : high;
             b.far_origin = backwards ? high : low;
         }
-        for (std::size_t k = 0; k < most; ++k) {
-            limit_[k] = (group >> k & 1) != 0 ? rays_[k].limit : -1.0F;
-        }
     }
+
+    static float smallest(const std::array<float, most>& row) {
+        return smallest_of(min(F8::load(&row[0]), F8::load(&row[8])));
+    }
+    static float largest(const std::array<float, most>& row) {
+        return largest_of(max(F8::load(&row[0]), F8::load(&row[8])));
+    }
+    void find_farthest() { farthest_ = largest(limit_); }
 
     /// The children that any of the rays may meet, and where the first may enter them.
     unsigned enter_children_together(const WideBvh::Node& node, F8& near) const {
         const float* const planes = node.min[0].data();
         near = F8::all(0);
-        F8 far = F8::all(*std::max_element(limit_.begin(), limit_.end()));
+        F8 far = F8::all(farthest_);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Bounds& b = bounds_[axis];
             const F8 low = F8::all(b.low_inverse), high = F8::all(b.high_inverse);
@@ -569,6 +665,7 @@ template <bool any_will_do> class Packet {
             const auto k = static_cast<std::size_t>(std::countr_zero(here));
             finish(k, meet_leaf<any_will_do>(searched_, leaf, rays_[k]));
         }
+        find_farthest();
     }
 
     void travel_alone(Ref next, unsigned here) {
@@ -579,6 +676,7 @@ template <bool any_will_do> class Packet {
                 travel<any_will_do, false>(searched_, rays_[k], alone_, next, nullptr);
             finish(k, any_will_do && met);
         }
+        find_farthest();
     }
 
     void finish(std::size_t k, bool at_its_end) {
@@ -593,12 +691,14 @@ template <bool any_will_do> class Packet {
     std::array<Traveller, most> rays_;
     std::array<std::array<float, most>, 3> inverse_, near_bias_, far_bias_;
     std::array<float, most> limit_;
+    float farthest_ = 0;  ///< the largest of them
     std::array<Bounds, 3> bounds_;
     std::array<std::uint32_t, 3> near_row_, far_row_;
     unsigned order_shift_ = 0;
     unsigned active_ = 0;
-    Waiting waiting_, alone_;
-    std::array<unsigned, Waiting::places> groups_;
+    Waiting<false> waiting_;  ///< of the packet, in order in any case
+    Waiting<any_will_do> alone_;
+    std::array<unsigned, Waiting<false>::places> groups_;
 };
 
 template <bool any_will_do, class Answers>

@@ -2,6 +2,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 #include "accel/kernels.h"
 #include "accel/simd_plain.h"
@@ -14,14 +16,31 @@ namespace raytree {
 
 const Kernels plain_kernels = plain::all_kernels;
 
-const Kernels& kernels() {
+namespace {
+
+std::vector<const Kernels*> find_runnable() {
+    std::vector<const Kernels*> list = {&plain_kernels};
 #if defined(__x86_64__) && defined(__GNUC__)
-    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (has_avx2) {
-        return avx2_kernels;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        list.push_back(&avx2_kernels);
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")) {
+            list.push_back(&avx512_kernels);
+        }
     }
 #endif
-    return plain_kernels;
+    return list;
+}
+
+}  // namespace
+
+std::span<const Kernels* const> runnable_kernels() {
+    static const std::vector<const Kernels*> list = find_runnable();
+    return list;
+}
+
+const Kernels& kernels() {
+    static const Kernels& fastest = *runnable_kernels().back();
+    return fastest;
 }
 
 }  // namespace raytree

@@ -11,48 +11,52 @@ constexpr std::size_t lanes_read = 8;  ///< whole registers are read, beyond the
 }  // namespace
 
 LeafFilter::LeafFilter(const ShapeSet<double>& shapes, const WideBvh& bvh) {
-    bool any = false;
-    bool triangles = false;
-    bvh.for_each_leaf([&](WideBvh::Ref leaf) {
-        any |= leaf.kind() != other;
-        triangles |= leaf.kind() == triangle;
-    });
-    if (!any) {
+    std::array<bool, WideBvh::kinds> has{};
+    bvh.for_each_leaf([&](WideBvh::Ref leaf) { has[leaf.kind()] = true; });
+    if (!has[triangle] && !has[sphere] && !has[cone]) {
         return;
     }
+    const std::size_t items = bvh.items().size();
     scale_ = bvh.scale();
     inverse_scale_ = 1 / scale_;
-    floats_.resize(numbers * bvh.items().size() + lanes_read);
+    floats_.resize(numbers * items + lanes_read);
     const Vec3<double> shift = bvh.center() * scale_;
     const bool near_origin = largest_component(shift) <= 4;
-    if (triangles && near_origin && holds_exactly(shapes, bvh)) {
+    if (near_origin && holds_exactly(shapes, bvh)) {
         shift_ = shift;
         reach_ = 1 + largest_component(shift);
     } else {
         center_ = bvh.center();
-        if (triangles) {
-            exact_.resize(numbers * bvh.items().size());
-        }
+        exact_.resize(has[triangle] || has[sphere] ? numbers * items : 0);
     }
+    cones_.resize(has[cone] ? items : 0);
     bvh.for_each_leaf([&](WideBvh::Ref leaf) { copy_leaf(shapes, bvh, leaf); });
 }
 
-/// Whether the floats of all triangles, scaled but not moved, are their vertices to the last bit.
+/// Whether the floats of all triangles and spheres, scaled but not moved, are their numbers to the
+/// last bit.
 bool LeafFilter::holds_exactly(const ShapeSet<double>& shapes, const WideBvh& bvh) const {
-    bool exact = true;
+    const auto exact = [&](double number) {
+        const auto copy = static_cast<float>(number * scale_);
+        return static_cast<double>(copy) * inverse_scale_ == number;
+    };
+    const auto all_exact = [&](const Vec3<double>& v) {
+        return exact(v.x) && exact(v.y) && exact(v.z);
+    };
+    bool all = true;
     bvh.for_each_leaf([&](WideBvh::Ref leaf) {
-        for (std::size_t lane = 0; exact && leaf.kind() == triangle && lane < leaf.count();
-             ++lane) {
-            const auto shape = shapes.triangle(shapes[bvh.items()[leaf.first() + lane]]);
-            for (const Vec3<double>& v : shape.vertices) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    const auto copy = static_cast<float>(v[axis] * scale_);
-                    exact &= static_cast<double>(copy) * inverse_scale_ == v[axis];
-                }
+        for (std::size_t lane = 0; all && lane < leaf.count(); ++lane) {
+            const Primitive primitive = shapes[bvh.items()[leaf.first() + lane]];
+            if (leaf.kind() == triangle) {
+                const auto& [a, b, c] = shapes.triangle(primitive).vertices;
+                all = all_exact(a) && all_exact(b) && all_exact(c);
+            } else if (leaf.kind() == sphere) {
+                const SphereShape<double>& shape = shapes.sphere(primitive);
+                all = all_exact(shape.center) && exact(shape.radius);
             }
         }
     });
-    return exact;
+    return all;
 }
 
 void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, WideBvh::Ref leaf) {
@@ -77,10 +81,16 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
                 const int axis = static_cast<int>(k);
                 row[k * n + lane] =
                     static_cast<float>((shape.center[axis] - center_[axis]) * scale_);
+                if (!exact_.empty()) {
+                    exact_[numbers * item + k] = shape.center[axis];
+                }
             }
             row[3 * n + lane] = static_cast<float>(shape.radius * scale_);
+            if (!exact_.empty()) {
+                exact_[numbers * item + 3] = shape.radius;
+            }
         } else if (leaf.kind() == cone) {
-            const ConeShape<double>& shape = shapes.cone(primitive);
+            const ConeShape<double>& shape = cones_[item] = shapes.cone(primitive);
             for (std::size_t k = 0; k < 3; ++k) {
                 const int axis = static_cast<int>(k);
                 row[k * n + lane] = static_cast<float>((shape.base[axis] - center_[axis]) * scale_);

@@ -39,12 +39,52 @@ class LeafFilter {
     Vec3<double> origin_of(const WideBvh::BoxRay& ray) const { return ray.origin + shift_; }
     /// At least the largest coordinate of a copy.
     double reach() const { return reach_; }
+    /// Bound on the error of the difference of two copies; 0 where they are exact.
+    float edge_error() const {
+        return exact_.empty() ? 0.0F : 0x1.8p-23F * static_cast<float>(reach_);
+    }
 
-    /// The triangle at `lane` of a leaf, to the last bit.
-    TriangleShape<double> triangle_of(WideBvh::Ref leaf, std::size_t lane) const;
+    /// The numbers of the triangle or the sphere at a lane of a leaf, to the last bit.
+    class Exact {
+      public:
+        Exact(const LeafFilter& filter, WideBvh::Ref leaf, std::size_t lane)
+            : floats_(filter.of_leaf(leaf) + lane),
+              doubles_(filter.exact_.data() + numbers * (leaf.first() + lane)),
+              step_(leaf.count()),
+              in_floats_(filter.exact_.empty()),
+              inverse_scale_(filter.inverse_scale_) {}
+        double operator[](std::size_t k) const {
+            return in_floats_ ? static_cast<double>(floats_[k * step_]) * inverse_scale_
+                              : doubles_[k];
+        }
+        Vec3<double> vector(std::size_t k) const {
+            return {(*this)[k], (*this)[k + 1], (*this)[k + 2]};
+        }
+
+      private:
+        const float* floats_;
+        const double* doubles_;
+        std::size_t step_;
+        bool in_floats_;
+        double inverse_scale_;
+    };
+
+    /// The shapes at `lane` of a leaf of their kind, to the last bit.
+    TriangleShape<double> triangle_of(WideBvh::Ref leaf, std::size_t lane) const {
+        const Exact of(*this, leaf, lane);
+        return {{of.vector(0), of.vector(3), of.vector(6)}};
+    }
+    SphereShape<double> sphere_of(WideBvh::Ref leaf, std::size_t lane) const {
+        const Exact of(*this, leaf, lane);
+        return {of.vector(0), of[3]};
+    }
+    const ConeShape<double>& cone_of(WideBvh::Ref leaf, std::size_t lane) const {
+        return cones_[leaf.first() + lane];
+    }
 
     std::size_t bytes() const {
-        return floats_.capacity() * sizeof(float) + exact_.capacity() * sizeof(double);
+        return floats_.capacity() * sizeof(float) + exact_.capacity() * sizeof(double) +
+               cones_.capacity() * sizeof(ConeShape<double>);
     }
 
   private:
@@ -52,28 +92,12 @@ class LeafFilter {
     bool holds_exactly(const ShapeSet<double>& shapes, const WideBvh& bvh) const;
 
     HugePageVector<float> floats_;
-    HugePageVector<double> exact_;  ///< the vertices, nine numbers an item; none where floats do
-    Vec3<double> shift_{0.0};       ///< of this space against that of the boxes
+    HugePageVector<double> exact_;  ///< nine numbers an item; none where the floats are exact
+    HugePageVector<ConeShape<double>> cones_;  ///< by item; none where there are no cones
+    Vec3<double> shift_{0.0};                  ///< of this space against that of the boxes
     Vec3<double> center_{0.0};
     double scale_ = 1, inverse_scale_ = 1;
     double reach_ = 1;
 };
-
-inline TriangleShape<double> LeafFilter::triangle_of(WideBvh::Ref leaf, std::size_t lane) const {
-    TriangleShape<double> shape;
-    if (exact_.empty()) {
-        const float* const row = of_leaf(leaf) + lane;
-        for (std::size_t k = 0; k < numbers; ++k) {
-            shape.vertices[k / 3][static_cast<int>(k % 3)] =
-                static_cast<double>(row[k * leaf.count()]) * inverse_scale_;
-        }
-    } else {
-        const double* const at = &exact_[numbers * (leaf.first() + lane)];
-        for (std::size_t k = 0; k < numbers; ++k) {
-            shape.vertices[k / 3][static_cast<int>(k % 3)] = at[k];
-        }
-    }
-    return shape;
-}
 
 }  // namespace raytree

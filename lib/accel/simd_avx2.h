@@ -7,33 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Eight floats side by side in a register of AVX2; see simd_plain.h.
+/// Eight floats side by side with the instructions of AVX2; see simd_plain.h.
 namespace raytree::avx2 {
 
-struct F8 {
-    __m256 v;
+#include "accel/simd_avx.inl"
 
-    static F8 load(const float* p) { return {_mm256_loadu_ps(p)}; }
-    static F8 all(float x) { return {_mm256_set1_ps(x)}; }
-    void store(float* p) const { _mm256_storeu_ps(p, v); }
-};
-
-inline F8 operator+(const F8& a, const F8& b) { return {_mm256_add_ps(a.v, b.v)}; }
-inline F8 operator-(const F8& a, const F8& b) { return {_mm256_sub_ps(a.v, b.v)}; }
-inline F8 operator*(const F8& a, const F8& b) { return {_mm256_mul_ps(a.v, b.v)}; }
-inline F8 min(const F8& a, const F8& b) { return {_mm256_min_ps(a.v, b.v)}; }
-inline F8 max(const F8& a, const F8& b) { return {_mm256_max_ps(a.v, b.v)}; }
-inline F8 abs(const F8& a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v)}; }
-inline F8 square_root(const F8& a) { return {_mm256_sqrt_ps(a.v)}; }
-inline F8 multiply_add(const F8& a, const F8& b, const F8& c) {
-    return {_mm256_fmadd_ps(a.v, b.v, c.v)};
-}
-inline F8 multiply_subtract(const F8& a, const F8& b, const F8& c) {
-    return {_mm256_fmsub_ps(a.v, b.v, c.v)};
-}
-inline F8 subtract_product(const F8& c, const F8& a, const F8& b) {
-    return {_mm256_fnmadd_ps(a.v, b.v, c.v)};
-}
 inline unsigned less_equal(const F8& a, const F8& b) {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
@@ -71,6 +49,15 @@ inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met
                         _mm256_permutevar8x32_epi32(
                             _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ref)), from));
     return static_cast<std::size_t>(std::popcount(mask));
+}
+
+inline std::size_t append_unordered(const std::uint32_t* ref, unsigned met, std::uint32_t* refs) {
+    const __m256i from =
+        _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(places_of_bits[met])));
+    const __m256i children = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ref));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(refs),
+                        _mm256_permutevar8x32_epi32(children, from));
+    return static_cast<std::size_t>(std::popcount(met));
 }
 
 }  // namespace raytree::avx2

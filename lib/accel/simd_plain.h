@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -56,6 +57,10 @@ inline F8 max(const F8& a, const F8& b) {
 inline F8 abs(const F8& a) {
     return each(a, a, [](float x, float) { return x < 0 ? -x : x; });
 }
+/// `b`, or -b where a is negative.
+inline F8 with_sign_of(const F8& a, const F8& b) {
+    return each(a, b, [](float x, float y) { return std::signbit(x) ? -y : y; });
+}
 inline F8 square_root(const F8& a) {
     return each(a, a, [](float x, float) { return std::sqrt(x); });
 }
@@ -73,6 +78,9 @@ inline unsigned less_equal(const F8& a, const F8& b) {
     return bits;
 }
 
+inline float smallest_of(const F8& a) { return *std::min_element(a.lane.begin(), a.lane.end()); }
+inline float largest_of(const F8& a) { return *std::max_element(a.lane.begin(), a.lane.end()); }
+
 /// Appends near[k] and ref[k] of the lanes k of `met` to both lists, in the order that `order`
 /// has at bits `shift`; returns how many. Eight places are written in any case.
 inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met,
@@ -82,6 +90,16 @@ inline std::size_t append(const F8& near, const std::uint32_t* ref, unsigned met
     for (std::size_t place = 0; place < 8; ++place) {
         const std::size_t k = order[place] >> shift & 7;
         nears[count] = near.lane[k];
+        refs[count] = ref[k];
+        count += met >> k & 1;
+    }
+    return count;
+}
+
+/// The same for ref[k] alone, in any order.
+inline std::size_t append_unordered(const std::uint32_t* ref, unsigned met, std::uint32_t* refs) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 8; ++k) {
         refs[count] = ref[k];
         count += met >> k & 1;
     }

@@ -376,13 +376,17 @@ class WideBvhBuilder {
     std::atomic<std::uint32_t> used_{0};
 };
 
-WideBvh::WideBvh(std::span<const Item> items, const Config& config) {
+WideBvh::WideBvh(std::span<const Item> items, const Config& config,
+                 std::span<const std::uint32_t> names) {
     if (items.size() > most_items) {
         throw std::length_error("a hierarchy holds at most " + std::to_string(most_items) +
                                 " shapes, not " + std::to_string(items.size()));
     }
     if (!items.empty()) {
         WideBvhBuilder(*this, items, config).build();
+    }
+    for (std::uint32_t& item : items_) {
+        item = names.empty() ? item : names[item];
     }
 }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -77,18 +78,21 @@ class WideBvh {
         std::array<float, 3> far_bias;   ///< and at the far planes
         double scale = 1;                ///< t here is (t in the world - start) * scale
         double start = 0;
+        double error = 0;     ///< bound on how far double has moved a far origin, and t with it
         Vec3<double> origin;  ///< where t here is 0
 
         /// An upper bound of the world's t in these coordinates.
         float upper(double t) const {
             const double here = (t - start) * scale;
-            return here < 0 ? -1.0F : static_cast<float>(here * (1 + 0x1p-20));
+            return here < -error ? -1.0F : static_cast<float>(std::max(here, 0.0) * (1 + 0x1p-20));
         }
     };
 
     WideBvh() = default;
-    /// Throws std::length_error for more than `most_items`.
-    WideBvh(std::span<const Item> items, const Config& config);
+    /// Throws std::length_error for more than `most_items`. `names`: what each item is called in
+    /// `items()`; its place in the list if empty.
+    WideBvh(std::span<const Item> items, const Config& config,
+            std::span<const std::uint32_t> names = {});
 
     bool empty() const { return items_.empty(); }
     std::size_t node_count() const { return nodes_.size(); }
@@ -96,7 +100,7 @@ class WideBvh {
         return nodes_.size() * sizeof(Node) + items_.size() * sizeof(std::uint32_t);
     }
     std::span<const Node> nodes() const { return nodes_; }
-    /// The places of the items in the list given, leaf by leaf.
+    /// The items by their names, leaf by leaf.
     std::span<const std::uint32_t> items() const { return items_; }
     const Vec3<double>& center() const { return center_; }
     /// A power of two: `(p - center()) * scale()` is within 1 of 0 for every p in the boxes.
@@ -104,7 +108,13 @@ class WideBvh {
     /// Calls `visit(ref)` for each leaf.
     template <class Visit> void for_each_leaf(Visit&& visit) const;
 
-    BoxRay prepare(const Vec3<double>& origin, const Vec3<double>& direction) const;
+    BoxRay prepare(const Vec3<double>& origin, const Vec3<double>& direction) const {
+        BoxRay ray;
+        prepare(origin, direction, ray);
+        return ray;
+    }
+    /// The same, written where it is to be: a ray written number by number is slow to copy.
+    void prepare(const Vec3<double>& origin, const Vec3<double>& direction, BoxRay& ray) const;
 
     /// Visits, roughly from near to far, every item whose box the ray meets at 0 <= t <= t_max.
     /// `visit(items, t_max)` gets the items of a leaf and returns the t_max from then on, in the
@@ -134,16 +144,16 @@ class WideBvh {
     std::vector<std::uint32_t> items_;
 };
 
-inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
-                                        const Vec3<double>& direction) const {
-    constexpr double flattest = 1e-18;
+inline void WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& direction,
+                             BoxRay& ray) const {
+    constexpr float flattest = 1e-18F;
     constexpr double float_roundoff = 0x1p-24;
     constexpr double double_roundoff = 0x1p-53;
     constexpr double scene_radius = 2;  // boxes lie within 1 of the centre on each axis
 
-    BoxRay ray;
     ray.origin = (origin - center_) * scale_;
     ray.scale = scale_;
+    ray.start = 0;
     double away = largest_component(ray.origin);
     if (away > 2 * scene_radius) {
         away = length(ray.origin);
@@ -151,21 +161,24 @@ inline WideBvh::BoxRay WideBvh::prepare(const Vec3<double>& origin,
         ray.origin = along(ray.origin, skipped, direction);
         ray.start = skipped / scale_;
     }
+    ray.error = 16 * double_roundoff * (away + 1);
+    // Infinite biases would make the boxes of children that are not there no numbers, and met.
+    const auto bias = [](double x) {
+        constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
+        return static_cast<float>(std::min(std::max(x, -largest), largest));
+    };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int a = static_cast<int>(axis);
-        const double slope =
-            std::copysign(std::max(std::abs(direction[a]), flattest), direction[a]);
-        ray.inverse[axis] = static_cast<float>(1 / slope);
-        const double inverse = static_cast<double>(ray.inverse[axis]);
-        // 8 float roundings for the two products, the difference and the inverse; the rest is what
-        // double has lost on the way from a far origin.
+        const auto slope = static_cast<float>(direction[a]);
+        ray.inverse[axis] = 1 / std::copysign(std::max(std::abs(slope), flattest), slope);
+        const auto inverse = static_cast<double>(ray.inverse[axis]);
+        // 8 float roundings for the two products, the difference, the slope and its inverse; the
+        // rest is what double has lost on the way from a far origin.
         const double reach = std::abs(ray.origin[a]) + 1;
-        const double error =
-            std::abs(inverse) * (8 * float_roundoff * reach + 16 * double_roundoff * (away + 1));
-        ray.near_bias[axis] = static_cast<float>(inverse * ray.origin[a] + error);
-        ray.far_bias[axis] = static_cast<float>(inverse * ray.origin[a] - error);
+        const double error = std::abs(inverse) * (8 * float_roundoff * reach + ray.error);
+        ray.near_bias[axis] = bias(inverse * ray.origin[a] + error);
+        ray.far_bias[axis] = bias(inverse * ray.origin[a] - error);
     }
-    return ray;
 }
 
 template <class Visit> void WideBvh::for_each_leaf(Visit&& visit) const {

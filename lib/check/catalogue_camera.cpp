@@ -88,18 +88,19 @@ const MistakeRow rows[] = {
                                 (step.pixel_j + 0.5) / std::max(1.0, camera.height - 1.0)));
          };
      }},
-    {"cam.row_off_by_one", "The row is one too far down.", topic,
+    {"cam.row_off_by_one",
+     "The row is one too far down or up.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) + 1);
          };
-     }},
-    {"cam.row_off_by_one_up", "The row is one too far up.", topic,
-     [](Laws& laws) {
+     },
+     {[](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
          };
-     }},
+     }}},
     {"cam.ij_swapped", "Column and row are exchanged.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -131,12 +132,19 @@ const MistakeRow rows[] = {
              return by_tangent(place, step, [](double half) { return std::atan(half); });
          };
      }},
-    {"cam.fov_vertical", "The horizontal field of view is taken for the vertical one.", topic,
+    {"cam.fov_horizontal",
+     "The field of view is taken for that of the other axis.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return scaled(place, step, aspect_of(place), aspect_of(place));
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return scaled(place, step, 1 / aspect_of(place), 1 / aspect_of(place));
+         };
+     }}},
     {"cam.aspect_inverted", "Height over width is used for the aspect, or the other way round.",
      topic,
      [](Laws& laws) {

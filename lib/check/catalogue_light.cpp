@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "check/catalogue.h"
-#include "trace/shading.h"
+#include "check/light_laws.h"
 
 namespace raytree::check {
 namespace {
@@ -10,43 +10,6 @@ namespace {
 constexpr std::string_view topic = "local illumination";
 
 bool always(const Step&, const Shine&) { return true; }
-
-double fading(const Shine& shine) {
-    return shine.ready->directional ? 1 : shine.ready->attenuation.at(shine.distance);
-}
-
-Spectrum arriving(const Shine& shine) {
-    return fading(shine) * (shine.ready->intensity * shine.transmittance);
-}
-
-Vec viewer(const Step& step) { return -step.direction; }
-
-double power(double h, double exponent) {
-    // Of a negative number, as pow has it for whole exponents.
-    return h < 0 ? (std::fmod(std::abs(exponent), 2) == 1 ? -1 : 1) * std::pow(-h, exponent)
-                 : std::pow(h, exponent);
-}
-
-/// The highlight with another cosine h; where the model has none (n . L <= 0), none.
-Spectrum highlight(const Step& step, const Shine& shine, double h) {
-    return power(h, step.ready->shininess) * (step.ready->specular * arriving(shine));
-}
-
-double h_of(const Place& place, const Step& step, const Shine& shine) {
-    return specular_cosine(place.scene().settings.specular_model, step.normal, shine.towards,
-                           viewer(step));
-}
-
-/// R . V, not clamped.
-double mirrored_cosine(const Step& step, const Shine& shine) {
-    return inner(mirrored(shine.towards, step.normal), viewer(step));
-}
-
-Spectrum with_viewer(const Place& place, const Step& step, const Shine& shine, const Vec& v) {
-    return highlight(
-        step, shine,
-        specular_cosine(place.scene().settings.specular_model, step.normal, shine.towards, v));
-}
 
 Spectrum divided(const Spectrum& a, const Spectrum& b) {
     const auto by = [](double x, double y) { return y != 0 ? x / y : 0; };
@@ -78,6 +41,15 @@ template <class Factor> void scale_by(Laws& laws, Factor) {
 }
 
 Spectrum scene_ambient(const Place& place) { return place.scene().ambient; }
+
+double size_of_l(const Shine& shine) { return shine.ready->directional ? 1 : shine.distance; }
+
+/// n . L with an L that is not unit.
+void long_diffuse(Laws& laws) {
+    laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
+        return size_of_l(shine) * model::diffuse(place, step, shine);
+    };
+}
 
 const MistakeRow rows[] = {
     {"lit.ambient_missing", "Ambient light is missing.", topic,
@@ -120,24 +92,25 @@ const MistakeRow rows[] = {
              return at;
          };
      }},
-    {"lit.L_not_normalised", "The direction to the light is not made unit.", topic,
+    {"lit.L_not_normalised",
+     "The direction to the light is not made unit.",
+     topic,
      [](Laws& laws) {
-         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
-             const double size = shine.ready->directional ? 1 : shine.distance;
-             return size * model::diffuse(place, step, shine);
-         };
+         long_diffuse(laws);
          laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             const double size = shine.ready->directional ? 1 : shine.distance;
-             return highlight(step, shine, size * h_of(place, step, shine));
+             const Vec l = size_of_l(shine) * shine.towards;
+             return highlight(step, shine,
+                              specular_cosine(place.scene().settings.specular_model, step.normal, l,
+                                              viewer(step)));
          };
-     }},
-    {"lit.L_not_normalised_diffuse", "n . L is computed with an L that is not unit.", topic,
-     [](Laws& laws) {
-         laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
-             const double size = shine.ready->directional ? 1 : shine.distance;
-             return size * model::diffuse(place, step, shine);
-         };
-     }},
+     },
+     {long_diffuse,
+      [](Laws& laws) {
+          long_diffuse(laws);
+          laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
+              return highlight(step, shine, size_of_l(shine) * h_of(place, step, shine));
+          };
+      }}},
     {"lit.L_is_position", "The light's position is used as the direction to it.", topic,
      [](Laws& laws) {
          laws.towards = [](const Place& place, const Step& step, std::size_t light) {
@@ -257,6 +230,22 @@ const MistakeRow rows[] = {
      [](Laws& laws) {
          fade_by(laws, [](const Shine& shine) { return fading(shine) * fading(shine); });
      }},
+    {"lit.att_d4",
+     "Lights fade by d squared where d belongs.",
+     topic,
+     [](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             const auto& f = shine.ready->attenuation;
+             const double d = shine.distance;
+             return shine.ready->directional ? 1.0 : fall_off(f.a, f.b, f.c, d * d);
+         });
+     },
+     {[](Laws& laws) {
+         fade_by(laws, [](const Shine& shine) {
+             const double d = shine.distance;
+             return shine.ready->directional ? 1.0 : std::min(1.0, 1 / (d * d * d * d));
+         });
+     }}},
     {"lit.att_swapped", "The linear and the quadratic coefficient of a light are exchanged.", topic,
      [](Laws& laws) {
          fade_by(laws, [](const Shine& shine) {
@@ -285,131 +274,6 @@ const MistakeRow rows[] = {
              const double d = shine.distance;
              return shine.ready->directional ? 1.0 : 1 / (f.a + f.b * d + f.c * d * d);
          });
-     }},
-    {"lit.R_sign", "The mirrored light direction has the wrong sign.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, std::max(0.0, -mirrored_cosine(step, shine)));
-         };
-     }},
-    {"lit.V_is_ray_dir", "V is the ray's direction and not its opposite.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return with_viewer(place, step, shine, step.direction);
-         };
-     }},
-    {"lit.R_paren", "R = 2 (n . L) (n - L) is written for 2 (n . L) n - L.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             const Vec r = 2 * shine.cosine * (step.normal - shine.towards);
-             return highlight(step, shine, std::max(0.0, inner(r, viewer(step))));
-         };
-     }},
-    {"lit.R_no_factor2", "The factor 2 is missing in the mirrored light direction.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             const Vec r = shine.cosine * step.normal - shine.towards;
-             return highlight(step, shine, std::max(0.0, inner(r, viewer(step))));
-         };
-     }},
-    {"lit.blinn", "The other model of highlights is used: N . H for R . V, or the reverse.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             const bool phong = place.scene().settings.specular_model == SpecularModel::phong;
-             return highlight(step, shine,
-                              specular_cosine(phong ? SpecularModel::blinn : SpecularModel::phong,
-                                              step.normal, shine.towards, viewer(step)));
-         };
-     }},
-    {"lit.half_not_normalised", "The half vector (L + V) / 2 is not made unit.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             const Vec h = 0.5 * (shine.towards + viewer(step));
-             return highlight(step, shine, std::max(0.0, inner(h, step.normal)));
-         };
-     }},
-    {"lit.exponent_x4", "The exponent is four times too large.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return std::pow(h_of(place, step, shine), 4 * step.ready->shininess) *
-                    (step.ready->specular * arriving(shine));
-         };
-     }},
-    {"lit.exponent_quarter", "The exponent is four times too small.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return std::pow(h_of(place, step, shine), step.ready->shininess / 4) *
-                    (step.ready->specular * arriving(shine));
-         };
-     }},
-    {"lit.exponent_ignored", "The exponent is ignored.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return h_of(place, step, shine) * (step.ready->specular * arriving(shine));
-         };
-     }},
-    {"lit.exponent_multiplied", "The cosine is multiplied by the exponent instead of raised to it.",
-     topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return step.ready->shininess * h_of(place, step, shine) *
-                    (step.ready->specular * arriving(shine));
-         };
-     }},
-    {"lit.V_from_camera", "V points to the eye for reflected and refracted rays too.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return with_viewer(place, step, shine,
-                                model::unit(place.scene().camera.eye - step.point));
-         };
-     }},
-    {"lit.V_not_negated_point", "V is the hit point made unit.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return with_viewer(place, step, shine, model::unit(step.point));
-         };
-     }},
-    {"lit.spec_uses_VdotN", "The highlight is computed from V . n.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, std::max(0.0, inner(viewer(step), step.normal)));
-         };
-     }},
-    {"lit.spec_uses_LdotV", "The highlight is computed from L . V.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, std::max(0.0, inner(viewer(step), shine.towards)));
-         };
-     }},
-    {"lit.spec_uses_LdotN", "The highlight is computed from L . n.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, std::max(0.0, shine.cosine));
-         };
-     }},
-    {"lit.spec_unclamped", "R . V is not clamped: its odd powers take light away.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, mirrored_cosine(step, shine));
-         };
-     }},
-    {"lit.spec_abs", "|R . V| is used: highlights appear on the far side.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place&, const Step& step, const Shine& shine) {
-             return highlight(step, shine, std::abs(mirrored_cosine(step, shine)));
-         };
-     }},
-    {"lit.spec_times_base", "The highlight takes the surface's colour.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return step.material->color * model::specular(place, step, shine);
-         };
-     }},
-    {"lit.spec_times_ndotl", "The highlight is multiplied by n . L.", topic,
-     [](Laws& laws) {
-         laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-             return shine.cosine * model::specular(place, step, shine);
-         };
      }},
     {"lit.averaged_over_lights", "The lights are averaged and not added.", topic,
      [](Laws& laws) {

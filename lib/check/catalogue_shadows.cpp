@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "check/catalogue.h"
 
@@ -7,20 +8,19 @@ namespace {
 
 constexpr std::string_view topic = "shadows";
 
-/// What stands in the way from `origin` towards `direction`, nearer than `distance`, among the
-/// hits that `counts`.
-template <class Counts> Passage between(const Place& place, const Vec& origin, const Vec& direction,
-                                        PrimitiveId leaving, double distance, Counts counts) {
+/// The hits that `counts` from `origin` towards `direction`, nearer than `distance`.
+template <class Counts> std::vector<Hit<double>> between(const Place& place, const Vec& origin,
+                                                         const Vec& direction, PrimitiveId leaving,
+                                                         double distance, Counts counts) {
     NoTestCount none;
     const Interval<double> interval{0, distance * (1 - 8 * Real<double>::unit_roundoff)};
     const Ray<double> ray{origin, direction, model::origin_error(origin)};
-    for (const Hit<double>& hit : place.shapes.all(ray, leaving, interval, none)) {
-        if (counts(hit)) {
-            return {Spectrum(0.0), hit.primitive, hit.t};
-        }
-    }
-    return {};
+    std::vector<Hit<double>> hits = place.shapes.all(ray, leaving, interval, none);
+    std::erase_if(hits, [&](const Hit<double>& hit) { return !counts(hit); });
+    return hits;
 }
+
+constexpr double offset_of_students = 1e-5;  // of the size of the point
 
 bool any_hit(const Hit<double>&) { return true; }
 
@@ -34,9 +34,27 @@ Passage up_to(const Place& place, const Step& step, const Shine& shine, double d
 
 template <class Counts>
 Passage only(const Place& place, const Step& step, const Shine& shine, Counts counts) {
-    return wanted(place)
-               ? between(place, step.point, shine.towards, step.primitive, shine.distance, counts)
-               : Passage{};
+    return wanted(place) ? model::through(place, between(place, step.point, shine.towards,
+                                                         step.surface, shine.distance, counts))
+                         : Passage{};
+}
+
+/// Whatever is met stops the light, glass too.
+Passage stopped_by(const std::vector<Hit<double>>& hits) {
+    return hits.empty() ? Passage{}
+                        : Passage{Spectrum(0.0), hits.front().primitive, hits.front().t};
+}
+
+/// As a program finds it whose shadow rays start below the surface.
+Passage from_below(const Place& place, const Shine& shine, const Vec& start) {
+    return wanted(place) ? model::through(place, between(place, start, shine.towards, no_primitive,
+                                                         shine.distance, any_hit))
+                         : Passage{};
+}
+
+Vec put_on(const Step& step) {
+    const double size = std::max(1.0, largest_component(step.point));
+    return along(step.point, offset_of_students * size, step.direction);
 }
 
 Passage own_surface(const Place& place, const Step& step, const Shine&) {
@@ -60,6 +78,16 @@ Passage inverted(const Place& place, const Step& step, const Shine& shine) {
     return passage;
 }
 
+/// The shadow ray goes the wrong way, and is handed in like that; the light is added rightly.
+void shows_reversed(Laws& laws) {
+    laws.sent = [](const Place&, const Step&, const Shine& shine) { return -shine.towards; };
+    laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+        Shine other = shine;
+        other.towards = -shine.towards;
+        return model::shadow(place, step, other);
+    };
+}
+
 const MistakeRow rows[] = {
     {"shd.missing", "There are no shadows: no light is ever blocked.", topic,
      [](Laws& laws) {
@@ -69,6 +97,19 @@ const MistakeRow rows[] = {
      [](Laws& laws) { laws.shadow = inverted; }},
     {"shd.no_offset", "The shadow ray meets the surface that it starts on.", topic,
      [](Laws& laws) { laws.shadow = own_surface; }},
+    {"shd.offset_along_dir_wrong_side",
+     "The shadow ray starts a little further along the incoming ray, below the surface.", topic,
+     [](Laws& laws) {
+         laws.start = [](const Place&, const Step& step, RayKind kind) {
+             return kind == RayKind::shadow ? put_on(step) : step.point;
+         };
+         laws.offset = [](const Step& step, RayKind kind) {
+             return kind == RayKind::shadow ? step.direction : model::offset(step, kind);
+         };
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             return from_below(place, shine, put_on(step));
+         };
+     }},
     {"shd.from_light", "The shadow ray starts at the light and meets the lit surface itself.",
      topic,
      [](Laws& laws) {
@@ -76,8 +117,9 @@ const MistakeRow rows[] = {
              if (!wanted(place) || shine.ready->directional) {
                  return model::shadow(place, step, shine);
              }
-             const Passage first = between(place, shine.ready->position, Vec(-shine.towards),
-                                           no_primitive, Real<double>::infinity, any_hit);
+             const Passage first =
+                 stopped_by(between(place, shine.ready->position, Vec(-shine.towards), no_primitive,
+                                    Real<double>::infinity, any_hit));
              return first.blocker == no_primitive
                         ? Passage{Spectrum(0.0), step.primitive, shine.distance}
                         : first;
@@ -86,8 +128,9 @@ const MistakeRow rows[] = {
     {"shd.from_eye", "The shadow ray starts at the eye and not at the hit.", topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step&, const Shine& shine) {
-             return wanted(place) ? between(place, place.scene().camera.eye, shine.towards,
-                                            no_primitive, shine.distance, any_hit)
+             return wanted(place) ? model::through(place, between(place, place.scene().camera.eye,
+                                                                  shine.towards, no_primitive,
+                                                                  shine.distance, any_hit))
                                   : Passage{};
          };
      }},
@@ -110,14 +153,17 @@ const MistakeRow rows[] = {
              return up_to(place, step, shine, std::min(1.0, shine.distance));
          };
      }},
-    {"shd.reversed", "The shadow ray goes away from the light.", topic,
+    {"shd.reversed",
+     "The shadow ray goes away from the light.",
+     topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
              Shine other = shine;
              other.towards = -shine.towards;
              return model::shadow(place, step, other);
          };
-     }},
+     },
+     {shows_reversed}},
     {"shd.only_first_object", "Only the first object of the scene casts shadows.", topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
@@ -145,7 +191,9 @@ const MistakeRow rows[] = {
     {"shd.glass_is_opaque", "Transparent objects block the light wholly.", topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
-             return only(place, step, shine, any_hit);
+             return wanted(place) ? stopped_by(between(place, step.point, shine.towards,
+                                                       step.surface, shine.distance, any_hit))
+                                  : Passage{};
          };
      }},
     {"shd.tint_once", "Light through glass is tinted once, not at every crossing.", topic,
@@ -153,9 +201,10 @@ const MistakeRow rows[] = {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
              Passage passage = model::shadow(place, step, shine);
              if (place.scene().settings.shadows == ShadowMode::transmissive) {
-                 const Passage first = only(place, step, shine, any_hit);
-                 if (first.blocker != no_primitive) {
-                     passage.transmittance = material_of(place, first.blocker).kt;
+                 const auto hits = between(place, step.point, shine.towards, step.surface,
+                                           shine.distance, any_hit);
+                 if (!hits.empty()) {
+                     passage.transmittance = material_of(place, hits.front().primitive).kt;
                  }
              }
              return passage;

@@ -144,7 +144,7 @@ const std::vector<Convention>& camera_conventions() {
         {"rows", "up", "rows are counted from below", rows_from_below, nullptr, "cam.y_flipped"},
         {"fov", "horizontal", "the angle of view is the horizontal one", nullptr, nullptr, ""},
         {"fov", "vertical", "the angle of view is the vertical one", vertical_fov, nullptr,
-         "cam.fov_vertical"},
+         "cam.fov_horizontal"},
         {"near", "primary", "primary rays do not see what is nearer than the near distance",
          nullptr, nullptr, ""},
         {"near", "all", "no ray sees what is nearer than the near distance", nullptr,

@@ -24,7 +24,8 @@ Key key_of(const Finding& finding) {
 
 struct Candidate {
     std::vector<const MistakeRow*> rows;
-    std::size_t left = 0;  ///< causes that it does not explain
+    LawChange way = nullptr;  ///< of a single one: how it is made
+    std::size_t left = 0;     ///< causes that it does not explain
     bool explains_first = false;
     std::set<std::size_t> rays;  ///< that are wrong still
 };
@@ -56,14 +57,14 @@ class Search {
     std::size_t all() const { return all_; }
     const std::set<std::size_t>& rays() const { return rays_; }
 
-    Candidate attempt(std::vector<const MistakeRow*> rows, std::size_t enough) const {
+    Candidate attempt(const std::vector<LawChange>& changes, std::size_t enough) const {
         Laws changed = laws_;
-        for (const MistakeRow* row : rows) {
-            row->apply(changed);
+        for (const LawChange change : changes) {
+            change(changed);
         }
         Candidate candidate = left_by(keys_under(changed, enough + excused_.size() + 1));
-        const bool close =
-            rows.size() == 1 ? 4 * candidate.left <= all_ + few_ : candidate.left <= left_of_a_pair;
+        const bool close = changes.size() == 1 ? 4 * candidate.left <= all_ + few_
+                                               : candidate.left <= left_of_a_pair;
         if (candidate.left > 0 && close && is_rounded()) {
             // What the student's rounding does to a wrong formula is another thing than what it
             // does to the right one.
@@ -72,7 +73,6 @@ class Search {
             const Slacks own = slacks_of(place_, names_, changed, submission_, options);
             candidate = left_by(keys_under(changed, options.enough, &own));
         }
-        candidate.rows = std::move(rows);
         return candidate;
     }
 
@@ -126,13 +126,35 @@ class Search {
 std::vector<Candidate> singles(const Search& search) {
     std::vector<Candidate> found;
     for (const MistakeRow& row : catalogue()) {
-        Candidate candidate = search.attempt({&row}, search.all());
-        if (candidate.explains_first && candidate.left < search.all()) {
-            found.push_back(std::move(candidate));
+        std::optional<Candidate> best;
+        for (const LawChange way : row.ways()) {
+            Candidate candidate = search.attempt({way}, search.all());
+            candidate.rows = {&row};
+            candidate.way = way;
+            if (candidate.explains_first && candidate.left < search.all() &&
+                (!best || candidate.left < best->left)) {
+                best = std::move(candidate);
+            }
+        }
+        if (best) {
+            found.push_back(*std::move(best));
         }
     }
     std::ranges::stable_sort(found, {}, &Candidate::left);
     return found;
+}
+
+/// The two in whichever order leaves nothing.
+std::optional<Candidate> pair_of(const Search& search, LawChange one, const MistakeRow& other) {
+    for (const LawChange way : other.ways()) {
+        for (const auto& changes : {std::vector{one, way}, std::vector{way, one}}) {
+            Candidate candidate = search.attempt(changes, left_of_a_pair);
+            if (candidate.left == 0) {
+                return candidate;
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 /// Pairs that leave nothing; none where there is none.
@@ -144,17 +166,9 @@ std::vector<Candidate> pairs(const Search& search, const std::vector<Candidate>&
             if (&other == one) {
                 continue;
             }
-            for (const bool swapped : {false, true}) {
-                std::vector<const MistakeRow*> rows{one, &other};
-                if (swapped) {
-                    std::swap(rows[0], rows[1]);
-                }
-                Candidate candidate = search.attempt(rows, left_of_a_pair);
-                if (candidate.left == 0) {
-                    candidate.rows = {one, &other};
-                    found.push_back(std::move(candidate));
-                    break;
-                }
+            if (auto pair = pair_of(search, best[k].way, other)) {
+                pair->rows = {one, &other};
+                found.push_back(*std::move(pair));
             }
         }
         if (!found.empty()) {
@@ -214,7 +228,6 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
         if (!two.empty()) {
             for (const MistakeRow* row : two.front().rows) {
                 report.mistakes.push_back(named(*row));
-                report.mistakes.back().sure = two.size() == 1;
                 report.mistakes.back().rays = explained(search, two.front());
             }
             for (std::size_t k = 1; k < two.size(); ++k) {

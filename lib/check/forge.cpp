@@ -82,13 +82,7 @@ class Forge {
 
     void shine(std::size_t id, const Step& step, Terms& terms) {
         for (std::size_t k = 0; k < place_.lights.size(); ++k) {
-            Shine shine;
-            shine.light = k;
-            shine.ready = &place_.lights[k];
-            const Towards at = laws_.towards(place_, step, k);
-            shine.towards = at.towards;
-            shine.distance = at.distance;
-            shine.cosine = inner(step.normal, at.towards);
+            Shine shine = shine_of(place_, laws_, step, k);
             const bool faces = laws_.faces(step, shine);
             if (!faces || !step.ready->lit) {
                 tree_.rays[id].skipped.push_back(
@@ -115,7 +109,7 @@ class Forge {
         Step start = step;
         start.kind = RayKind::shadow;
         start.origin = laws_.start(place_, step, RayKind::shadow);
-        start.direction = model::unit(shine.towards);
+        start.direction = model::unit(laws_.sent(place_, step, shine));
         TreeRay<double>& ray = tree_.rays[add(start, id)];
         ray.weight = Spectrum(1.0);
         ray.diffuse = diffuse;

@@ -92,6 +92,8 @@ Towards towards(const Place& place, const Step& step, std::size_t light) {
 
 bool faces(const Step&, const Shine& shine) { return shine.cosine > 0; }
 
+Vec sent(const Place&, const Step&, const Shine& shine) { return shine.towards; }
+
 Passage shadow(const Place& place, const Step& step, const Shine& shine) {
     const ShadowMode mode = place.scene().settings.shadows;
     if (mode == ShadowMode::none) {
@@ -102,13 +104,19 @@ Passage shadow(const Place& place, const Step& step, const Shine& shine) {
     const Interval<double> between{0, shine.distance * (1 - 8 * Real<double>::unit_roundoff)};
     NoTestCount none;
     if (mode == ShadowMode::opaque) {
-        const auto hit = place.shapes.closest(ray, step.primitive, between, none);
+        const auto hit = place.shapes.closest(ray, step.surface, between, none);
         return hit ? Passage{Spectrum(0.0), hit->primitive, hit->t} : Passage{};
     }
+    return through(place, place.shapes.all(ray, step.surface, between, none));
+}
+
+Passage through(const Place& place, std::span<const Hit<double>> hits) {
+    const ShadowMode mode = place.scene().settings.shadows;
     Passage passage;
-    for (const Hit<double>& hit : place.shapes.all(ray, step.primitive, between, none)) {
+    for (const Hit<double>& hit : hits) {
         const std::size_t object = place.shapes.shapes()[hit.primitive].object;
-        passage.transmittance *= place.materials[place.scene().objects[object].material].kt;
+        const auto& material = place.materials[place.scene().objects[object].material];
+        passage.transmittance *= mode == ShadowMode::opaque ? Spectrum(0.0) : material.kt;
         if (is_zero(passage.transmittance)) {
             passage.blocker = hit.primitive;
             passage.t = hit.t;
@@ -159,6 +167,12 @@ std::optional<Reason> why_not(const Place& place, const Step& step, RayKind kind
 
 Vec start(const Place&, const Step& step, RayKind) { return step.point; }
 
+Vec offset(const Step& step, RayKind kind) {
+    return kind == RayKind::refracted ? -step.normal : step.normal;
+}
+
+int level(const Place&, const Step& step, RayKind) { return step.level + 1; }
+
 Vec reflected(const Place&, const Step& step) {
     return reflected_direction(step.direction, step.normal).vec();
 }
@@ -186,10 +200,11 @@ Spectrum combine(const Place&, const Step&, const Terms& terms) {
 
 const Laws& model_laws() {
     static constexpr Laws laws{
-        model::primary, model::interval,  model::meet,        model::point,    model::normal,
-        model::indices, model::fade,      model::coefficient, model::ambient,  model::towards,
-        model::faces,   model::shadow,    model::diffuse,     model::specular, model::why_not,
-        model::start,   model::reflected, model::refracted,   model::miss,     model::combine};
+        model::primary,   model::interval, model::meet,        model::point,   model::normal,
+        model::indices,   model::fade,     model::coefficient, model::ambient, model::towards,
+        model::faces,     model::sent,     model::shadow,      model::diffuse, model::specular,
+        model::why_not,   model::start,    model::offset,      model::level,   model::reflected,
+        model::refracted, model::miss,     model::combine};
     return laws;
 }
 
@@ -205,19 +220,41 @@ void land(const Place& place, const Laws& laws, Step& step, PrimitiveId primitiv
     step.outward = surface.geometric_normal;
     step.shading = surface.shading_normal;
     step.point = laws.point(place, step, surface.point);
+    const double size = largest_component(step.origin) + abs(t);
+    step.surface =
+        length(step.point - surface.point) <= on_the_surface * size ? primitive : no_primitive;
     const Turned turned = laws.normal(place, step);
     step.normal = turned.normal;
     step.front = turned.front;
 }
 
+void bend(Step& step, const Indices& indices) {
+    Snell<double> at = snell(indices.eta1, indices.eta2, step.direction, step.normal);
+    if (abs(inner(step.normal, step.normal) - 1) > 1e-4) {
+        const double eta = indices.eta1 / indices.eta2;
+        at.sin2_transmitted = eta * eta * (1 - step.cosine() * step.cosine());
+        at.cos2_transmitted = 1 - at.sin2_transmitted;
+    }
+    step.eta1 = at.eta1;
+    step.eta2 = at.eta2;
+    step.sin2_transmitted = at.sin2_transmitted;
+    step.cos2_transmitted = at.cos2_transmitted;
+}
+
+Shine shine_of(const Place& place, const Laws& laws, const Step& step, std::size_t light) {
+    Shine shine;
+    shine.light = light;
+    shine.ready = &place.lights[light];
+    const Towards at = laws.towards(place, step, light);
+    shine.towards = at.towards;
+    shine.distance = at.distance;
+    shine.cosine = inner(step.normal, at.towards);
+    return shine;
+}
+
 void settle(const Place& place, const Laws& laws, Step& step) {
     if (step.ready->transmissive) {
-        const Indices indices = laws.indices(place, step);
-        const Snell<double> at = snell(indices.eta1, indices.eta2, step.direction, step.normal);
-        step.eta1 = at.eta1;
-        step.eta2 = at.eta2;
-        step.sin2_transmitted = at.sin2_transmitted;
-        step.cos2_transmitted = at.cos2_transmitted;
+        bend(step, laws.indices(place, step));
     }
     step.kr = laws.coefficient(place, step, RayKind::reflected);
     step.kt = laws.coefficient(place, step, RayKind::refracted);
@@ -234,13 +271,14 @@ Step branch_of(const Place& place, const Laws& laws, const Step& from, RayKind k
     Step step;
     step.parent = &from;
     step.kind = kind;
-    step.level = from.level + 1;
+    step.level = laws.level(place, from, kind);
     step.pixel_i = from.pixel_i;
     step.pixel_j = from.pixel_j;
     step.weight = weight;
-    step.leaving = from.primitive;
     step.path = from.path + from.t;
     step.origin = laws.start(place, from, kind);
+    const bool there = length(step.origin - from.point) <= 1e-9 * largest_component(from.point);
+    step.leaving = there ? from.surface : no_primitive;
     step.direction = model::unit(kind == RayKind::reflected ? laws.reflected(place, from)
                                                             : laws.refracted(place, from));
     step.media = from.media;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "trace/reason.h"
@@ -41,6 +42,8 @@ struct Step {
     const WorldMaterial<double>* ready = nullptr;  ///< the material's products
     Vec outward{}, shading{};                      ///< unit normals, not yet turned to the ray
     Vec point{};
+    /// The shape that what is sent from here starts on: none where the point lies beside it.
+    PrimitiveId surface = no_primitive;
     bool front = true;
     Vec normal{};
     double eta1 = 1, eta2 = 1, sin2_transmitted = 0, cos2_transmitted = 1;
@@ -106,12 +109,15 @@ struct Laws {
     Spectrum (*coefficient)(const Place&, const Step&, RayKind);
     Spectrum (*ambient)(const Place&, const Step&);
     Towards (*towards)(const Place&, const Step&, std::size_t light);
-    bool (*faces)(const Step&, const Shine&);  ///< whether the light is asked at all
+    bool (*faces)(const Step&, const Shine&);              ///< whether the light is asked at all
+    Vec (*sent)(const Place&, const Step&, const Shine&);  ///< the direction of the shadow ray
     Passage (*shadow)(const Place&, const Step&, const Shine&);
     Spectrum (*diffuse)(const Place&, const Step&, const Shine&);
     Spectrum (*specular)(const Place&, const Step&, const Shine&);
     std::optional<Reason> (*why_not)(const Place&, const Step&, RayKind, const Spectrum& weight);
     Vec (*start)(const Place&, const Step&, RayKind);  ///< of a branch or a shadow ray
+    Vec (*offset)(const Step&, RayKind);  ///< the way in which programs may put the start off
+    int (*level)(const Place&, const Step&, RayKind);  ///< of a branch
     Vec (*reflected)(const Place&, const Step&);
     Vec (*refracted)(const Place&, const Step&);
     Spectrum (*miss)(const Place&, const Step&);
@@ -129,14 +135,20 @@ Turned normal(const Place&, const Step&);
 Indices indices(const Place&, const Step&);
 Spectrum coefficient(const Place&, const Step&, RayKind);
 Towards towards(const Place&, const Step&, std::size_t light);
+Vec sent(const Place&, const Step&, const Shine&);
 Passage shadow(const Place&, const Step&, const Shine&);
 Spectrum diffuse(const Place&, const Step&, const Shine&);
 Spectrum specular(const Place&, const Step&, const Shine&);
 std::optional<Reason> why_not(const Place&, const Step&, RayKind, const Spectrum& weight);
+Vec offset(const Step&, RayKind);
 Vec reflected(const Place&, const Step&);
 Vec refracted(const Place&, const Step&);
 Spectrum miss(const Place&, const Step&);
 Spectrum combine(const Place&, const Step&, const Terms&);
+
+/// What of the light comes through the surfaces between a point and the light: all those hits that
+/// lie in between, sorted by t.
+Passage through(const Place& place, std::span<const Hit<double>> hits);
 
 /// The largest power of two roundings that an origin may have.
 double origin_error(const Vec& origin);
@@ -144,8 +156,16 @@ double origin_error(const Vec& origin);
 Vec unit(const Vec& v);
 }  // namespace model
 
+/// How far from a surface a point may be, of the size of the ray's numbers, to be one of it: more
+/// than rounding to a few digits does, less than any mistake.
+constexpr double on_the_surface = 1e-4;
+
 /// Works out what follows from a ray's hit on `primitive` at `t`: material and normals.
 void land(const Place& place, const Laws& laws, Step& step, PrimitiveId primitive, double t);
+/// Snell's law at the hit; of a normal that is not unit as the formulas with c1 have it.
+void bend(Step& step, const Indices& indices);
+/// The light `light` as the laws see it from the hit, before anything is in between.
+Shine shine_of(const Place& place, const Laws& laws, const Step& step, std::size_t light);
 /// Coefficients and indices at the hit, once the normal is known.
 void settle(const Place& place, const Laws& laws, Step& step);
 /// The branch that grows from a hit, its direction and origin by the laws.

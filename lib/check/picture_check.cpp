@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <new>
+#include <set>
 
 #include "check/catalogue.h"
 #include "check/forge.h"
@@ -175,6 +177,7 @@ class PictureSearch {
             candidate.left = misses(candidate, more_);
         }
         std::ranges::stable_sort(found, {}, &Candidate::left);
+        keep_best_ways(found);
         const std::size_t fewest = found.front().left;
         std::erase_if(found, [&](const Candidate& c) { return c.left > fewest + allowed() / 2; });
         if (fewest > more_.size() / 10) {
@@ -197,9 +200,18 @@ class PictureSearch {
   private:
     struct Candidate {
         const MistakeRow* row = nullptr;
+        LawChange way = nullptr;
         const PictureMistakeRow* picture_row = nullptr;
         std::size_t left = 0;
     };
+
+    /// Of each mistake the way that leaves the fewest; they are sorted.
+    static void keep_best_ways(std::vector<Candidate>& found) {
+        std::set<const MistakeRow*> seen;
+        std::erase_if(found, [&](const Candidate& candidate) {
+            return candidate.row && !seen.insert(candidate.row).second;
+        });
+    }
 
     std::size_t allowed() const { return 1 + more_.size() / 200; }
 
@@ -207,7 +219,7 @@ class PictureSearch {
                        std::size_t enough = ~std::size_t{0}) const {
         if (candidate.row) {
             Laws laws = book_.laws;
-            candidate.row->apply(laws);
+            candidate.way(laws);
             return match_.misses(book_.place, laws, at, enough);
         }
         return static_cast<std::size_t>(std::ranges::count_if(at, [&](const PixelPlace& pixel) {
@@ -218,10 +230,12 @@ class PictureSearch {
     std::vector<Candidate> fitting(const Places& at, std::size_t most) const {
         std::vector<Candidate> all, found;
         for (const PictureMistakeRow& row : picture_mistakes()) {
-            all.push_back({nullptr, &row, 0});
+            all.push_back({nullptr, nullptr, &row, 0});
         }
         for (const MistakeRow& row : catalogue()) {
-            all.push_back({&row, nullptr, 0});
+            for (const LawChange way : row.ways()) {
+                all.push_back({&row, way, nullptr, 0});
+            }
         }
         for (Candidate& candidate : all) {
             candidate.left = misses(candidate, at, most + 1);

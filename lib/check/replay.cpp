@@ -174,23 +174,31 @@ void Replay::decide(At at, Field field, const Word& expected, const Word& found,
     taint = report(std::move(finding));
 }
 
+/// How far two points may be apart that are one but for the submission's digits, and for what
+/// `moved` adds.
+double Replay::rounding(double size) const {
+    const Precision& p = submission_.precision;
+    return (1e-9 + 20 * p.relative) * size + 20 * p.absolute;
+}
+
 /// Many programs start secondary rays a little off the surface, along its normal or along the ray,
-/// so as not to meet it again. That is a convention: the ray is judged from where it starts.
-bool Replay::set_off(At at, const Step& from, const Vec& direction, Vec& origin) {
+/// so as not to meet it again. That is a convention: the ray is judged from where it starts. To the
+/// wrong side of the surface it is none.
+bool Replay::set_off(At at, const Step& from, RayKind kind, const Vec& direction, Vec& origin) {
     if (!submission_.gives(at.ray, Field::origin)) {
         return false;
     }
     const Vec found = submission_.tree.rays[at.ray].origin;
-    const Vec off = found - origin;
+    const Vec off = found - from.point;
     const double size = length(off);
     const double most = largest_offset * std::max(1.0, reach(from));
-    if (!(size > 1e-9 * reach(from)) || !(size <= most)) {
+    if (!(size > rounding(reach(from)) / 10) || !(size <= most)) {
         return false;
     }
     const auto along_it = [&](const Vec& axis) {
-        return length(off - inner(off, axis) * axis) <= 0.02 * size;
+        return length(off - inner(off, axis) * axis) <= 0.02 * size && inner(off, axis) > 0;
     };
-    if (!along_it(model::unit(from.normal)) && !along_it(direction)) {
+    if (!along_it(model::unit(laws_.offset(from, kind))) && !along_it(direction)) {
         return false;
     }
     count(at.ray, Field::origin);
@@ -207,7 +215,8 @@ Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     }
     ++rays_;
     const Vec due = step.origin;
-    const bool offset = step.parent && set_off(at, *step.parent, step.direction, step.origin);
+    const bool offset =
+        step.parent && set_off(at, *step.parent, step.kind, step.direction, step.origin);
     if (!offset) {
         see(at, Field::origin, step.origin,
             step.parent ? reach(*step.parent) : std::max(1.0, largest_component(due)), taint);
@@ -215,7 +224,7 @@ Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     see(at, Field::direction, step.direction, 1, taint);
     step.direction = model::unit(step.direction);
     see(at, Field::weight, step.weight, std::max(darkest_, largest_component(step.weight)), taint);
-    if (largest_component(step.origin - due) > 1e-9 * largest_component(due)) {
+    if (offset || length(step.origin - due) > rounding(step.parent ? reach(*step.parent) : 1)) {
         step.leaving = no_primitive;  // it starts beside the surface
     }
     if (!meet(at, step, taint)) {

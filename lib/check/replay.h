@@ -100,7 +100,8 @@ class Replay {
     void surface(At at, Step& step, Taint& taint);
     Taint lights(At at, const Step& step, Terms& terms, Taint taint);
     Taint light(At at, const Step& step, std::size_t light, Terms& terms, Taint taint);
-    bool set_off(At at, const Step& from, const Vec& direction, Vec& origin);
+    double rounding(double size) const;
+    bool set_off(At at, const Step& from, RayKind kind, const Vec& direction, Vec& origin);
     bool aims_from(At at, const Vec& origin, const Shine& shine);
     Taint shadow_ray(At at, const Step& step, Shine& shine, Taint taint);
     struct Grown {

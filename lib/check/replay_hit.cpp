@@ -77,7 +77,11 @@ std::optional<Hit<double>> Replay::along_the_ray(const Step& step, const Interva
 /// The point, the normal and what depends on them.
 void Replay::surface(At at, Step& step, Taint& taint) {
     const double size = reach(step);
+    const Vec due = step.point;
     see(at, Field::point, step.point, size, taint);
+    if (length(step.point - due) > on_the_surface * size) {
+        step.surface = no_primitive;
+    }
     see(at, Field::normal, step.normal, 1, taint);
     note(key_of(at.ray, Field::side), step.front ? 0 : 1);
     if (submission_.gives(at.ray, Field::side) && submission_.tree.rays[at.ray].hit) {
@@ -93,12 +97,7 @@ void Replay::surface(At at, Step& step, Taint& taint) {
     if (step.ready->transmissive) {
         Indices indices{step.eta1, step.eta2};
         see(at, Field::eta, indices, std::max(step.eta1, step.eta2), taint);
-        const Snell<double> at_interface =
-            snell(indices.eta1, indices.eta2, step.direction, step.normal);
-        step.eta1 = indices.eta1;
-        step.eta2 = indices.eta2;
-        step.sin2_transmitted = at_interface.sin2_transmitted;
-        step.cos2_transmitted = at_interface.cos2_transmitted;
+        bend(step, indices);
         double sin2 = step.sin2_transmitted;
         own = taint;
         see(at, Field::sin2_transmitted, sin2, std::max(1.0, sin2), own);

@@ -21,13 +21,7 @@ Replay::Taint Replay::lights(At at, const Step& step, Terms& terms, Taint taint)
 }
 
 Replay::Taint Replay::light(At at, const Step& step, std::size_t light, Terms& terms, Taint taint) {
-    Shine shine;
-    shine.light = light;
-    shine.ready = &place_.lights[light];
-    const Towards towards = laws_.towards(place_, step, light);
-    shine.towards = towards.towards;
-    shine.distance = towards.distance;
-    shine.cosine = inner(step.normal, shine.towards);
+    Shine shine = shine_of(place_, laws_, step, light);
     const bool sent = laws_.faces(step, shine) && step.ready->lit;
     const std::size_t ray = shadow_child(at.ray, light);
     const std::uint64_t key = key_of_light(at.ray, light);
@@ -102,12 +96,15 @@ bool Replay::aims_from(At at, const Vec& origin, const Shine& shine) {
 /// The ray towards the light as the submission has it.
 Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint taint) {
     Vec origin = laws_.start(place_, step, RayKind::shadow);
-    const bool offset = set_off(at, step, shine.towards, origin);
+    const bool offset = set_off(at, step, RayKind::shadow, shine.towards, origin);
     if (!offset) {
         see(at, Field::origin, origin, reach(step), taint);
     }
     if (!offset || !aims_from(at, origin, shine)) {
-        see(at, Field::direction, shine.towards, 1, taint);
+        const Vec due = laws_.sent(place_, step, shine);
+        Vec sent = due;
+        see(at, Field::direction, sent, 1, taint);
+        shine.towards = length(due - shine.towards) == 0 ? sent : shine.towards;
         if (shine.distance < Real<double>::infinity) {
             see(at, Field::distance, shine.distance, largest_component(step.point) + shine.distance,
                 taint);

@@ -90,7 +90,7 @@ Replay::Grown Replay::grow(At at, const Step& step, RayKind kind, Taint taint) {
             finding.problem = Problem::missing;
             finding.kind = kind;
             finding.level = step.level + 1;
-            if (taint != clean && truth == none) {
+            if (taint != clean && truth == none && options_.truth) {
                 finding.follows_from = static_cast<std::size_t>(taint);
                 report(std::move(finding));
             } else {
@@ -110,7 +110,7 @@ Replay::Grown Replay::grow(At at, const Step& step, RayKind kind, Taint taint) {
         start_finding(finding, ray);
         finding.problem = Problem::extra;
         finding.reason = std::string(word_of(*grown.reason));
-        if (taint != clean && truth == none) {
+        if (taint != clean && truth == none && options_.truth) {
             finding.follows_from = static_cast<std::size_t>(taint);
             report(std::move(finding));
         } else {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "formats/utf8.h"
+#include "scene/utf8.h"
 
 namespace raytree {
 namespace {

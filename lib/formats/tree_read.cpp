@@ -43,7 +43,10 @@ TreeHit<double> read_hit(const OptionalMembers& in, TreeRay<double>& ray, double
         Interface<double> interface {
             eta[0], eta[1], ratio* ratio*(1 - hit.cos_incident * hit.cos_incident)
         };
-        in.number("sin2_transmitted", interface.sin2_transmitted);
+        if (!in.number("sin2_transmitted", interface.sin2_transmitted) &&
+            !isfinite(interface.sin2_transmitted)) {
+            interface.sin2_transmitted = 0;
+        }
         hit.interface = interface;
     }
     return hit;
@@ -133,7 +136,7 @@ void complete_hit(RayTree<double>& tree, std::size_t parent, const TreeRay<doubl
 
 /// `weight(child) = weight(parent) f(parent) k`, solved for k where the parent has a share.
 void recover_coefficients(RayTree<double>& tree) {
-    const auto quotient = [](double a, double b) { return b != 0 ? a / b : 0; };
+    const auto quotient = [](double a, double b) { return isfinite(a / b) ? a / b : 0; };
     for (const TreeRay<double>& child : tree.rays) {
         if (child.parent && !child.shadow) {
             TreeRay<double>& parent = tree.rays[*child.parent];
@@ -141,6 +144,32 @@ void recover_coefficients(RayTree<double>& tree) {
             Rgb<double>& k = child.kind == RayKind::reflected ? parent.hit->kr : parent.hit->kt;
             k = {quotient(child.weight.r, share.r), quotient(child.weight.g, share.g),
                  quotient(child.weight.b, share.b)};
+        }
+    }
+}
+
+bool all_finite(const Vec3<double>& v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
+
+/// Whether all numbers are, those too that only follow from what the file says.
+bool all_finite(const TreeRay<double>& ray) {
+    if (!all_finite(ray.origin) || !all_finite(ray.direction)) {
+        return false;
+    }
+    if (ray.shadow && ray.shadow->blocked_by && !isfinite(ray.shadow->blocked_by->t)) {
+        return false;
+    }
+    if (!ray.hit) {
+        return true;
+    }
+    return isfinite(ray.hit->t) && all_finite(ray.hit->point) && isfinite(ray.hit->cos_incident);
+}
+
+void check_range(const RayTree<double>& tree, const TreeShape& shape, JsonReport& report) {
+    for (std::size_t k = 0; k < tree.rays.size(); ++k) {
+        if (!all_finite(tree.rays[k])) {
+            report.add(*shape.rays[k].place,
+                       "has numbers from which others follow that are beyond the range of a "
+                       "double: a direction, a distance or a point is too large");
         }
     }
 }
@@ -269,6 +298,8 @@ ReadTree read_tree_json(const std::string& text, const std::filesystem::path& fi
     stop_at_mistakes(report, 1);
     count_rays(out.tree);
     recover_coefficients(out.tree);
+    check_range(out.tree, shape, report);
+    stop_at_mistakes(report, 1);
     out.warnings = std::move(report.warnings);
     return out;
 }

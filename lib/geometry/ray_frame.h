@@ -11,9 +11,10 @@ namespace raytree {
 /// intersection", JCGT 2(1), 2013). A vertex has the same place there for every shape that it
 /// belongs to, so that shapes which share an edge agree on which side of it the ray passes.
 template <class T> struct RayFrame {
-    int x, y, z;
-    T shear_x, shear_y;
+    int x = 0, y = 1, z = 2;
+    T shear_x{}, shear_y{};
 
+    RayFrame() = default;
     explicit RayFrame(const Vec3<T>& d) {
         z = abs(d.x) > abs(d.y) ? 0 : 1;
         z = abs(d.z) > abs(d[z]) ? 2 : z;

@@ -33,6 +33,12 @@ inline Start start_on(PrimitiveId id, PrimitiveId leaving) {
                                    : Start::on_another_shape;
 }
 
+/// What some shape of a set may have: where a fact is false, no shape is asked for it.
+struct ShapeFacts {
+    bool transforms = true;
+    bool interpolated_normals = true;
+};
+
 /// All shapes of a scene, prepared for intersection in the arithmetic T. Meshes become triangles,
 /// and so do polygons of three vertices. A PrimitiveId is a place in the order of the scene. The
 /// vertices of meshes stay where they are: the scene given must outlive the set.
@@ -48,6 +54,7 @@ template <class T> class ShapeSet {
     Roots<T> intersect(PrimitiveId id, const Ray<T>& ray, PrimitiveId leaving) const;
 
     /// The point that the ray meets at `t` on the shape, in the world.
+    template <ShapeFacts facts = ShapeFacts{}>
     SurfacePoint<T> surface_at(PrimitiveId id, const Ray<T>& ray, T t) const;
 
     /// A box around the shape, wide enough for every hit that `intersect` reports.

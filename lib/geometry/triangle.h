@@ -37,6 +37,17 @@ template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& 
     return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
+/// Whether the origin of a plane is in the triangle of the points (px, py), edges and vertices
+/// included.
+template <class T> bool encloses_origin(const std::array<T, 3>& px, const std::array<T, 3>& py) {
+    const T e0 = px[2] * py[1] - py[2] * px[1];
+    const T e1 = px[0] * py[2] - py[0] * px[2];
+    const T e2 = px[1] * py[0] - py[1] * px[0];
+    const bool negative = e0 < 0 || e1 < 0 || e2 < 0;
+    const bool positive = e0 > 0 || e1 > 0 || e2 > 0;
+    return negative != positive;
+}
+
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
 /// both triangles on an edge compute the same edge function up to its sign, so that no ray passes
 /// between them (Woop, Benthin & Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
@@ -48,27 +59,27 @@ bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray, const R
         px[i] = frame.x_of(v);
         py[i] = frame.y_of(v);
     }
-    const T e0 = px[2] * py[1] - py[2] * px[1];
-    const T e1 = px[0] * py[2] - py[0] * px[2];
-    const T e2 = px[1] * py[0] - py[1] * px[0];
-    const bool negative = e0 < 0 || e1 < 0 || e2 < 0;
-    const bool positive = e0 > 0 || e1 > 0 || e2 > 0;
-    return negative != positive;
+    return encloses_origin(px, py);
+}
+
+/// The intersection of a ray whose line passes through the triangle.
+template <class T> Roots<T> intersect_inside(const TriangleShape<T>& triangle, const Ray<T>& ray,
+                                             const RayFrame<T>& frame, Start start) {
+    Roots<T> roots;
+    const auto [nearest, farthest] =
+        passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
+    roots.add(meet_plane(triangle, ray, start, nearest, farthest));
+    return roots;
 }
 
 template <class T>
 Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start) {
-    Roots<T> roots;
     if (start == Start::on_this_shape) {
-        return roots;
+        return {};
     }
     const RayFrame<T> frame(ray.direction);
-    if (passes_through(triangle, ray, frame)) {
-        const auto [nearest, farthest] =
-            passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
-        roots.add(meet_plane(triangle, ray, start, nearest, farthest));
-    }
-    return roots;
+    return passes_through(triangle, ray, frame) ? intersect_inside(triangle, ray, frame, start)
+                                                : Roots<T>{};
 }
 
 /// The normal interpolated at a point of the triangle by its barycentric coordinates, which on a

@@ -33,6 +33,22 @@ struct Expression::Node {
 /// Throws ExpressionError.
 Expression::Node parse_expression(std::string_view text);
 
+/// Throws ExpressionError: `found` is none of `names`.
+[[noreturn]] void no_such(std::string_view what, const std::string& found,
+                          std::vector<std::string> names);
+
+/// What a value is as data, a number, or true or false; throws ExpressionError where it is not.
+const Json& data_of(const Value& value, const char* wanted);
+double number_of(const Value& value);
+bool truth_of(const Value& value);
+
+/// `whole.name` and `whole[place]`. Throw ExpressionError where there is none.
+Value member_of(const Value& whole, const std::string& name);
+Value element_of(const Value& whole, const Value& place);
+
+/// `+ - * / ^` of numbers, and of lists of them element by element. Throws ExpressionError.
+Json arithmetic(const std::string& symbol, const Json& a, const Json& b);
+
 /// The value of a function of numbers alone (sqrt, angle, dot, ...); nothing for another name.
 std::optional<Json> call_function(std::string_view name, std::span<const Value> arguments);
 std::vector<std::string> function_names();

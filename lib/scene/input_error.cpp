@@ -1,5 +1,7 @@
 #include "scene/input_error.h"
 
+#include "scene/utf8.h"
+
 namespace raytree {
 namespace {
 
@@ -20,7 +22,7 @@ std::string Mistake::message() const {
             text_so_far += (text_so_far.empty() ? "" : ": ") + *part;
         }
     }
-    return text_so_far;
+    return legible(text_so_far);
 }
 
 InputError::InputError(std::vector<Mistake> mistakes)

@@ -13,7 +13,8 @@ struct Mistake {
     std::string place;  ///< a JSON pointer, or "line 3, column 7"; empty for the file as a whole
     std::string text;   ///< what was found and what is allowed
 
-    /// "file: place: text", leaving out what is empty.
+    /// "file: place: text", leaving out what is empty; one line that any terminal can show,
+    /// whatever the file holds.
     std::string message() const;
 };
 

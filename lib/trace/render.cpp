@@ -78,6 +78,7 @@ template <class T> double value_of(Measure measure, const CountingRecorder<T>& r
 
 template <class T> Picture render(const World<T>& world, const RenderOptions& options) {
     Picture picture = black(world);
+    world.shapes.complete();
     const TileTracer<T> trace = tile_tracer<T>(plan_of(world.scene()));
     for_each_tile(picture.width, picture.height, options, [&](const Tile& t) {
         trace(world, {t.cols().begin(), t.cols().end(), t.rows().begin(), t.rows().end()}, picture);
@@ -88,6 +89,7 @@ template <class T> Picture render(const World<T>& world, const RenderOptions& op
 template <class T>
 Measurement render_measured(const World<T>& world, Measure measure, const RenderOptions& options) {
     using Clock = std::chrono::steady_clock;
+    world.shapes.complete();
     Measurement result{black(world), {}, {}};
     result.map.resize(result.picture.pixels.size());
     tbb::enumerable_thread_specific<RayCounts> counts;

@@ -7,58 +7,134 @@ namespace {
 /// take one's code for the other's.
 template <class T> struct Silent : NoRecorder<T> {};
 
-/// The primary rays of 4 x 4 pixels are followed together, and their trees grown one by one.
-constexpr int block = 4;
+/// Traces 4 x 4 pixels at a time. Their primary rays are followed together, and so are those from
+/// what they hit to each light; then their trees are grown one by one.
+template <class T, Facts facts> class BlockTracer {
+  public:
+    static constexpr int side = 4;
 
-template <class T, Facts facts>
-void trace_block(Tracer<T, Silent<T>, facts>& tracer, const World<T>& world,
-                 const PictureTile& pixels, Picture& picture) {
-    std::array<Query<T>, block * block> queries;
-    std::array<Hit<T>, block * block> hits;
-    std::size_t count = 0;
-    for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
-        for (int i = pixels.begin_i; i < pixels.end_i; ++i) {
-            queries[count++] = tracer.primary(i, j);
+    BlockTracer(const World<T>& world, Picture& picture)
+        : world_(world),
+          picture_(picture),
+          tracer_(world, recorder_),
+          asks_lights_(world.scene().settings.shadows == ShadowMode::opaque &&
+                       !world.lights.empty()),
+          lights_(asks_lights_ ? most * world.lights.size() : 0),
+          hidden_(lights_.size()) {}
+
+    void trace(const PictureTile& pixels) {
+        count_ = 0;
+        for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
+            for (int i = pixels.begin_i; i < pixels.end_i; ++i) {
+                queries_[count_++] = tracer_.primary(i, j);
+            }
+        }
+        world_.shapes.closest(std::span(queries_).first(count_), std::span(hits_).first(count_),
+                              Together::coherent);
+        for (std::size_t k = 0; k < count_; ++k) {
+            answers_[k] = {queries_[k], hits_[k], {}, {}, true, {}, {}};
+        }
+        ask_lights();
+        std::size_t k = 0;
+        for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
+            for (int i = pixels.begin_i; i < pixels.end_i; ++i, ++k) {
+                const std::size_t place = static_cast<std::size_t>(j) *
+                                              static_cast<std::size_t>(picture_.width) +
+                                          static_cast<std::size_t>(i);
+                picture_.pixels[place] =
+                    rgb_cast<double>(tracer_.trace_pixel(i, j, answers_[k]));
+            }
         }
     }
-    world.shapes.closest(std::span(queries).first(count), std::span(hits).first(count),
-                         Together::coherent);
-    std::size_t k = 0;
-    for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
-        for (int i = pixels.begin_i; i < pixels.end_i; ++i, ++k) {
-            const std::size_t place = static_cast<std::size_t>(j) *
-                                          static_cast<std::size_t>(picture.width) +
-                                      static_cast<std::size_t>(i);
-            picture.pixels[place] =
-                rgb_cast<double>(tracer.trace_pixel(i, j, queries[k], &hits[k]));
+
+  private:
+    static constexpr std::size_t most = side * side;
+
+    void ask_lights() {
+        const std::size_t lights = asks_lights_ ? world_.lights.size() : 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            PrimaryAnswer<T>& answer = answers_[k];
+            if (answer.hit.primitive == no_primitive) {
+                continue;
+            }
+            tracer_.find_surface(answer);
+            answer.lights = std::span(lights_).subspan(k * lights, lights);
+            answer.hidden = std::span(hidden_).subspan(k * lights, lights);
+            for (std::size_t light = 0; light < lights; ++light) {
+                answer.lights[light] =
+                    illuminate(world_.lights[light], answer.surface->point, answer.normal);
+            }
+        }
+        for (std::size_t light = 0; light < lights; ++light) {
+            ask_light(light);
         }
     }
-}
+
+    void ask_light(std::size_t light) {
+        std::size_t asked = 0;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const PrimaryAnswer<T>& answer = answers_[k];
+            const PrimitiveId shape = answer.hit.primitive;
+            if (shape != no_primitive && tracer_.sends_shadow_ray(shape, answer.lights[light])) {
+                queries_[asked] = tracer_.shadow_query(answer.surface->point, answer.front, shape,
+                                                       answer.lights[light]);
+                asked_of_[asked++] = k;
+            }
+        }
+        world_.shapes.any(std::span(queries_).first(asked), std::span(met_).first(asked),
+                          Together::coherent);
+        for (std::size_t k = 0; k < asked; ++k) {
+            answers_[asked_of_[k]].hidden[light] = met_[k];
+        }
+    }
+
+    const World<T>& world_;
+    Picture& picture_;
+    Silent<T> recorder_;
+    Tracer<T, Silent<T>, facts> tracer_;
+    bool asks_lights_;
+    std::vector<Illumination<T>> lights_;  ///< of each pixel's hit
+    std::vector<std::uint8_t> hidden_;
+    std::size_t count_ = 0;  ///< of the pixels
+    std::array<Query<T>, most> queries_;
+    std::array<Hit<T>, most> hits_;
+    std::array<PrimaryAnswer<T>, most> answers_;
+    std::array<std::size_t, most> asked_of_;
+    std::array<std::uint8_t, most> met_;
+};
 
 template <class T, Facts facts>
 void trace_tile(const World<T>& world, const PictureTile& tile, Picture& picture) {
-    Silent<T> recorder;
-    Tracer<T, Silent<T>, facts> tracer(world, recorder);
-    for (int j = tile.begin_j; j < tile.end_j; j += block) {
-        for (int i = tile.begin_i; i < tile.end_i; i += block) {
-            trace_block(tracer, world,
-                        {i, std::min(i + block, tile.end_i), j, std::min(j + block, tile.end_j)},
-                        picture);
+    constexpr int side = BlockTracer<T, facts>::side;
+    BlockTracer<T, facts> tracer(world, picture);
+    for (int j = tile.begin_j; j < tile.end_j; j += side) {
+        for (int i = tile.begin_i; i < tile.end_i; i += side) {
+            tracer.trace(
+                {i, std::min(i + side, tile.end_i), j, std::min(j + side, tile.end_j)});
         }
     }
 }
 
-template <class T> TileTracer<T> choose_tile_tracer(const Plan& plan) {
+template <class T, ShapeFacts shapes> TileTracer<T> choose_by_branches(const Plan& plan) {
     if (!plan.branches()) {
-        return trace_tile<T, Facts{false, false, false}>;
+        return trace_tile<T, Facts{false, false, false, shapes}>;
     }
     if (!plan.transmissive && !plan.attenuated) {
-        return trace_tile<T, Facts{true, false, false}>;
+        return trace_tile<T, Facts{true, false, false, shapes}>;
     }
     if (!plan.attenuated) {
-        return trace_tile<T, Facts{true, true, false}>;
+        return trace_tile<T, Facts{true, true, false, shapes}>;
     }
-    return trace_tile<T, Facts{}>;
+    return trace_tile<T, Facts{true, true, true, shapes}>;
+}
+
+template <class T> TileTracer<T> choose_tile_tracer(const Plan& plan) {
+    if (plan.transforms) {
+        return plan.interpolated_normals ? choose_by_branches<T, ShapeFacts{true, true}>(plan)
+                                         : choose_by_branches<T, ShapeFacts{true, false}>(plan);
+    }
+    return plan.interpolated_normals ? choose_by_branches<T, ShapeFacts{false, true}>(plan)
+                                     : choose_by_branches<T, ShapeFacts{false, false}>(plan);
 }
 
 }  // namespace

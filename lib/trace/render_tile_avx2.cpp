@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "scene/input_error.h"
 #include "trace/media.h"

@@ -57,6 +57,7 @@ template <class Shapes, class Count> void ask_again(const Shapes& shapes,
 }  // namespace
 
 TimeShare measure_time_share(const World<double>& world) {
+    world.shapes.complete();
     const auto pixels = static_cast<std::size_t>(world.scene().camera.width) *
                         static_cast<std::size_t>(world.scene().camera.height);
     const std::size_t stride = std::max<std::size_t>(1, pixels / most_pixels);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include "scene/input_error.h"
 #include "trace/media.h"
@@ -13,23 +16,50 @@
 namespace raytree {
 
 /// What a scene's plan says that the tracer is compiled for: where a fact is false, nothing is
-/// done for it, not even a question.
+/// done for it, not even a question. The last two are no facts but ways, which can be turned off to
+/// see what they are worth; the intensities do not depend on them.
 struct Facts {
     bool reflective = true;
     bool transmissive = true;
     bool attenuated = true;
+    ShapeFacts shapes{};
+    bool spare_shadow_rays = true;  ///< none to a light that cannot shine, nor from what is unlit
+    bool try_last_occluder = true;  ///< of each light, before all shapes are asked
 };
+
+/// What is known of a pixel's primary ray that has been asked about together with others.
+template <class T> struct PrimaryAnswer {
+    Query<T> query;
+    Hit<T> hit;  ///< no_primitive: none; and nothing of what follows
+    std::optional<SurfacePoint<T>> surface;
+    Vec3<T> normal{};  ///< n of the model
+    bool front = true;
+    /// By light: what it does here, and whether it is hidden; empty where that has not been asked.
+    std::span<Illumination<T>> lights;
+    std::span<std::uint8_t> hidden;
+};
+
+/// The media that a ray is in, where no ray is ever in one.
+struct NoMedia {};
 
 /// The one tracer: follows a pixel's ray tree depth first and evaluates it bottom up, in the
 /// arithmetic T, telling `Recorder` what it does. `facts` must hold for the world's scene.
 template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
   public:
     Tracer(const World<T>& world, Recorder& recorder)
-        : world_(world), settings_(world.scene().settings), recorder_(recorder) {}
+        : world_(world),
+          settings_(world.scene().settings),
+          recorder_(recorder),
+          last_occluder_(world.lights.size(), no_primitive) {}
 
     /// The intensity of pixel (i, j), which must lie in the picture. Throws InputError where a
     /// weight or an intensity grows beyond the range of T.
     Rgb<T> trace_pixel(int i, int j) { return trace_pixel(i, j, primary(i, j), nullptr); }
+
+    /// The same where the pixel's primary ray has been asked already.
+    Rgb<T> trace_pixel(int i, int j, const PrimaryAnswer<T>& answer) {
+        return trace_pixel(i, j, answer.query, &answer);
+    }
 
     /// The ray of pixel (i, j) as the world's shapes are asked about it.
     Query<T> primary(int i, int j) const {
@@ -42,15 +72,40 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
         return query;
     }
 
-    /// The same where `query` is the pixel's and has been asked already, together with others:
-    /// `hit` is the answer, or null.
-    Rgb<T> trace_pixel(int i, int j, const Query<T>& query, const Hit<T>* hit) {
+    /// Fills in where the primary ray that has hit something meets it.
+    void find_surface(PrimaryAnswer<T>& answer) const {
+        const Ray<T>& ray = answer.query.ray;
+        answer.surface = surface_at(answer.hit, ray);
+        answer.front = inner(ray.direction, answer.surface->geometric_normal) < 0;
+        const UnitVec3<T>& n = answer.surface->shading_normal;
+        answer.normal = answer.front ? n.vec() : -n.vec();
+    }
+
+    /// Whether a shadow ray is sent from a hit of this shape to a light that does this there.
+    bool sends_shadow_ray(PrimitiveId shape, const Illumination<T>& at) const {
+        return settings_.shadows != ShadowMode::none && at.in_front() && material_of(shape).lit;
+    }
+
+    /// The shadow ray that leaves a surface for a light.
+    Query<T> shadow_query(const Vec3<T>& point, bool front, PrimitiveId shape,
+                          const Illumination<T>& at) const {
+        // What is as far as the light within rounding is where the light is, not in between.
+        return {onwards(point, at.towards, front),
+                shape,
+                {T(0), at.distance * (1 - 8 * Real<T>::unit_roundoff)}};
+    }
+
+  private:
+    using RayHandle = typename Recorder::RayHandle;
+    using MediaList = std::conditional_t<facts.transmissive, Media, NoMedia>;
+
+    Rgb<T> trace_pixel(int i, int j, const Query<T>& query, const PrimaryAnswer<T>* known) {
         rays_ = 0;
         finite_ = true;
         Branch primary;
         primary.start.ray = query.ray;
         primary.interval = query.interval;
-        primary.known = hit;
+        primary.known = known;
         const Rgb<T> intensity = trace(primary, RayHandle{}).intensity;
         if (!finite_ || !isfinite(intensity)) {
             throw InputError("", "pixel " + std::to_string(i) + "," + std::to_string(j),
@@ -60,17 +115,14 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
         return intensity;
     }
 
-  private:
-    using RayHandle = typename Recorder::RayHandle;
-
     /// A ray about to be followed.
     struct Branch {
         RayStart<T> start;
         PrimitiveId leaving = no_primitive;
         Interval<T> interval;
         T path = 0;  ///< length from the eye to its start
-        Media media;
-        const Hit<T>* known = nullptr;  ///< what it meets, where that is known
+        [[no_unique_address]] MediaList media;
+        const PrimaryAnswer<T>* known = nullptr;  ///< where it has been asked already
     };
     struct Result {
         Rgb<T> intensity;
@@ -95,18 +147,29 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     Result trace(const Branch& branch, RayHandle parent);
     Result miss(const Branch& branch, RayHandle handle);
     Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit);
-    static Ray<T> onwards(const Node& node, const Vec3<T>& direction, bool outwards);
+    static Ray<T> onwards(const Vec3<T>& point, const Vec3<T>& direction, bool outwards);
+    SurfacePoint<T> surface_at(const Hit<T>& hit, const Ray<T>& ray) const {
+        return world_.shapes.shapes().template surface_at<facts.shapes>(hit.primitive, ray, hit.t);
+    }
+    std::size_t material_id_of(PrimitiveId shape) const {
+        return world_.scene().objects[world_.shapes.shapes()[shape].object].material;
+    }
+    const WorldMaterial<T>& material_of(PrimitiveId shape) const {
+        return world_.materials[material_id_of(shape)];
+    }
     void refract(Node& node) const;
     void light(Node& node);
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
-    Rgb<T> transmitted(const Ray<T>& ray, PrimitiveId leaving, T distance,
-                       std::optional<Hit<T>>& blocker);
+    void send_in_vain(const Node& node, std::size_t light, const Illumination<T>& at);
+    Rgb<T> transmitted(const Query<T>& query, std::size_t light, std::optional<Hit<T>>& blocker);
+    bool hidden(const Query<T>& query, std::size_t light);
     std::optional<Reason> why_not(const Node& node, RayKind kind, const Rgb<T>& weight) const;
     std::optional<Reason> grow(Node& node, RayKind kind);
 
     const World<T>& world_;
     const Settings& settings_;
     Recorder& recorder_;
+    std::vector<PrimitiveId> last_occluder_;  ///< by light, of the last ray to it; may be none
     std::size_t rays_ = 0;
     bool finite_ = true;
 };
@@ -120,7 +183,7 @@ auto Tracer<T, Recorder, facts>::trace(const Branch& branch, RayHandle parent) -
         interval.to = *world_.max_distance - branch.path;
     }
     if (branch.known) {
-        const Hit<T>& hit = *branch.known;
+        const Hit<T>& hit = branch.known->hit;
         return hit.primitive != no_primitive ? meet(branch, handle, hit) : miss(branch, handle);
     }
     const auto hit =
@@ -142,12 +205,11 @@ template <class T, class Recorder, Facts facts>
 auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit)
     -> Result {
     const Vec3<T>& d = branch.start.ray.direction;
-    const std::size_t object = world_.shapes.shapes()[hit.primitive].object;
-    const std::size_t material = world_.scene().objects[object].material;
+    const std::size_t material = material_id_of(hit.primitive);
     Node node{branch,
               handle,
               hit,
-              world_.shapes.shapes().surface_at(hit.primitive, branch.start.ray, hit.t),
+              branch.known ? *branch.known->surface : surface_at(hit, branch.start.ray),
               {},
               true,
               static_cast<std::uint32_t>(material),
@@ -165,8 +227,10 @@ auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, co
     if (facts.attenuated && branch.start.kind != RayKind::primary) {
         node.attenuation = world_.attenuation.at(hit.t);
     }
-    if (facts.transmissive && node.material.transmissive) {
-        refract(node);
+    if constexpr (facts.transmissive) {
+        if (node.material.transmissive) {
+            refract(node);
+        }
     }
     recorder_.hit(handle, {hit, node.surface.point, node.normal, node.front, -inner(d, node.normal),
                            node.material.transmissive ? &node.snell : nullptr, node.kr, node.kt});
@@ -185,11 +249,10 @@ auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, co
     return {node.end.intensity, node.attenuation};
 }
 
-/// A ray that leaves the hit to the outer or the inner side of its surface.
+/// A ray that leaves a hit to the outer or the inner side of its surface.
 template <class T, class Recorder, Facts facts>
-Ray<T> Tracer<T, Recorder, facts>::onwards(const Node& node, const Vec3<T>& direction,
+Ray<T> Tracer<T, Recorder, facts>::onwards(const Vec3<T>& point, const Vec3<T>& direction,
                                            bool outwards) {
-    const Vec3<T>& point = node.surface.point;
     return {point, direction, 4 * Real<T>::unit_roundoff * largest_component(point),
             outwards ? Going::outwards : Going::inwards};
 }
@@ -216,11 +279,18 @@ void Tracer<T, Recorder, facts>::refract(Node& node) const {
 }
 
 template <class T, class Recorder, Facts facts> void Tracer<T, Recorder, facts>::light(Node& node) {
-    if (!Recorder::wants_reasons && !node.material.lit) {
+    if (!Recorder::wants_reasons && !node.material.lit && facts.spare_shadow_rays) {
         return;
     }
+    const auto* const known = node.branch.known;
     for (std::size_t k = 0; k < world_.lights.size(); ++k) {
-        const Illumination<T> at = illuminate(world_.lights[k], node.surface.point, node.normal);
+        const Illumination<T> at =
+            known && !known->lights.empty()
+                ? known->lights[k]
+                : illuminate(world_.lights[k], node.surface.point, node.normal);
+        if constexpr (!facts.spare_shadow_rays) {
+            send_in_vain(node, k, at);
+        }
         if (!at.in_front()) {
             recorder_.skip_light(node.handle, k, Reason::light_behind_surface);
         } else if (!node.material.lit) {
@@ -228,6 +298,16 @@ template <class T, class Recorder, Facts facts> void Tracer<T, Recorder, facts>:
         } else {
             shine(node, k, at);
         }
+    }
+}
+
+/// What is not to be done: sends the shadow ray that cannot change anything.
+template <class T, class Recorder, Facts facts>
+void Tracer<T, Recorder, facts>::send_in_vain(const Node& node, std::size_t light,
+                                              const Illumination<T>& at) {
+    if (!(at.in_front() && node.material.lit) && settings_.shadows == ShadowMode::opaque &&
+        largest_component(at.towards) > 0) {
+        hidden(shadow_query(node.surface.point, node.front, node.hit.primitive, at), light);
     }
 }
 
@@ -239,8 +319,14 @@ void Tracer<T, Recorder, facts>::shine(Node& node, std::size_t light, const Illu
     shadow.at = &at;
     if (settings_.shadows != ShadowMode::none) {
         ++rays_;
-        const Ray<T> ray = onwards(node, at.towards, node.front);
-        shadow.transmittance = transmitted(ray, node.hit.primitive, at.distance, shadow.blocker);
+        const auto* const known = node.branch.known;
+        if (known && !known->hidden.empty()) {
+            shadow.transmittance = Rgb<T>(known->hidden[light] != 0 ? T(0) : T(1));
+        } else {
+            shadow.transmittance =
+                transmitted(shadow_query(node.surface.point, node.front, node.hit.primitive, at),
+                            light, shadow.blocker);
+        }
     }
     if (!is_zero(shadow.transmittance)) {
         shadow.adds =
@@ -256,28 +342,42 @@ void Tracer<T, Recorder, facts>::shine(Node& node, std::size_t light, const Illu
 
 /// How much of a light comes through, and which surface stops it.
 template <class T, class Recorder, Facts facts>
-Rgb<T> Tracer<T, Recorder, facts>::transmitted(const Ray<T>& ray, PrimitiveId leaving, T distance,
+Rgb<T> Tracer<T, Recorder, facts>::transmitted(const Query<T>& query, std::size_t light,
                                                std::optional<Hit<T>>& blocker) {
-    // What is as far as the light within rounding is where the light is, not in between.
-    const Interval<T> between{T(0), distance * (1 - 8 * Real<T>::unit_roundoff)};
+    const auto& [ray, leaving, between] = query;
     if (settings_.shadows == ShadowMode::opaque) {
         if constexpr (Recorder::wants_reasons) {
             blocker = world_.shapes.closest(ray, leaving, between, recorder_.tests);
             return Rgb<T>(blocker ? T(0) : T(1));
         } else {
-            return Rgb<T>(world_.shapes.any(ray, leaving, between, recorder_.tests) ? T(0) : T(1));
+            return Rgb<T>(hidden(query, light) ? T(0) : T(1));
         }
     }
     Rgb<T> through(T(1));
     for (const Hit<T>& hit : world_.shapes.all(ray, leaving, between, recorder_.tests)) {
-        const std::size_t object = world_.shapes.shapes()[hit.primitive].object;
-        through *= world_.materials[world_.scene().objects[object].material].kt;
+        through *= material_of(hit.primitive).kt;
         if (is_zero(through)) {
             blocker = hit;
             break;
         }
     }
     return through;
+}
+
+/// Whether anything is in between. Where the last ray to the light was stopped, what stopped it is
+/// asked first: neighbours are often in the same shadow.
+template <class T, class Recorder, Facts facts>
+bool Tracer<T, Recorder, facts>::hidden(const Query<T>& query, std::size_t light) {
+    const auto& [ray, leaving, between] = query;
+    PrimitiveId& last = last_occluder_[light];
+    if (facts.try_last_occluder && last != no_primitive) {
+        recorder_.tests.add();
+        if (world_.shapes.meets(last, ray, leaving, between)) {
+            return true;
+        }
+    }
+    last = world_.shapes.occluder(ray, leaving, between, recorder_.tests);
+    return last != no_primitive;
 }
 
 /// The first reason in the model's order for which a branch is not grown, if there is one.
@@ -324,16 +424,16 @@ std::optional<Reason> Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind)
     const UnitVec3<T> direction = reflected ? reflected_direction(d, node.normal)
                                             : refracted_direction(node.snell, d, node.normal);
     Branch next{{kind, node.branch.start.level + 1,
-                 onwards(node, direction.vec(), node.front == reflected), weight},
+                 onwards(node.surface.point, direction.vec(), node.front == reflected), weight},
                 node.hit.primitive,
                 {},
                 node.branch.path + node.hit.t,
                 node.branch.media,
                 nullptr};
-    if (!reflected) {
-        if (node.front) {
+    if constexpr (facts.transmissive) {
+        if (!reflected && node.front) {
             next.media.enter(node.material_id);
-        } else {
+        } else if (!reflected) {
             next.media.leave(node.material_id);
         }
     }

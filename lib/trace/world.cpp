@@ -76,8 +76,8 @@ template <class T> WorldLight<T> light_of(const Light& light) {
 
 }  // namespace
 
-template <class T> World<T>::World(const Scene& scene)
-    : shapes(scene),
+template <class T> World<T>::World(const Scene& scene, Build build)
+    : shapes(scene, build),
       camera(scene.camera, scene.settings.pixel_sample),
       background(rgb_cast<T>(scene.background)),
       secondary_background(

@@ -39,8 +39,8 @@ template <class T> struct WorldLight {
 template <class T> class World {
   public:
     /// Throws InputError where a number of the scene is too large for T.
-    explicit World(const Scene& scene);
-    explicit World(const Scene&&) = delete;
+    explicit World(const Scene& scene, Build build = Build::whole);
+    explicit World(const Scene&&, Build = Build::whole) = delete;
 
     const Scene& scene() const { return *scene_; }
 

@@ -77,6 +77,39 @@ TEST_CASE("intersector: the hierarchy finds what brute force finds, at every sca
     }
 }
 
+TEST_CASE("intersector: from as far away as a scene's numbers go") {
+    const Scene scene = test::random_shapes(300, 11, 1, Point(0.0));
+    const Intersector<double> intersector(scene);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    NoTestCount count;
+    for (const double away : {1e7, 1e9, 1e11, 1e13, 1e15, 1e16, 1e17, 1e20, 1e36, 1e60, 1e150}) {
+        CAPTURE(away);
+        for (int k = 0; k < 200; ++k) {
+            const auto point = [&] {
+                return Point(uniform(random), uniform(random), uniform(random));
+            };
+            const Point aim = point();
+            Point eye = away * UnitVec3<double>::of(point()).vec();
+            if (k % 2 == 0) {  // on an axis, where a ray from any distance can be aimed
+                eye = Point(0.0);
+                eye[k % 3] = away;
+            }
+            const Point way = k % 2 == 0 ? -eye : aim - eye;
+            const Ray<double> ray{eye, UnitVec3<double>::of(way).vec(), 0};
+            const auto expected = brute_force(intersector.shapes(), ray, no_primitive, {});
+            const auto all = intersector.all(ray, no_primitive, {}, count);
+            const auto closest = intersector.closest(ray, no_primitive, {}, count);
+            REQUIRE(all.size() == expected.size());
+            REQUIRE(closest.has_value() == !expected.empty());
+            if (closest) {
+                CHECK(closest->t == expected.front().t);
+                CHECK(closest->primitive == expected.front().primitive);
+            }
+        }
+    }
+}
+
 TEST_CASE("intersector: coincident, nested and flat shapes") {
     Scene scene;
     scene.materials.push_back({});
@@ -133,4 +166,63 @@ TEST_CASE("intersector: shapes closer together than a float's inverse, in a scen
     const auto hit = intersector.closest(ray, no_primitive, {}, count);
     REQUIRE(hit);
     CHECK(hit->primitive == 0);
+}
+
+TEST_CASE("intersector: built where rays go, it answers as the whole does, and becomes it") {
+    const Scene scene = test::random_shapes(12'000, 4, 1, Point(3.0));
+    const Intersector<double> whole(scene);
+    const Intersector<double> growing(scene, Build::where_rays_go);
+    std::vector<Query<double>> queries(200);
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto point = [&] { return Point(uniform(random), uniform(random), uniform(random)); };
+    for (Query<double>& query : queries) {
+        query.ray = {Point(3.0) + 2.0 * point(), UnitVec3<double>::of(point()).vec(), 0};
+    }
+    NoTestCount count;
+    const auto compare = [&] {
+        for (const auto& [ray, leaving, interval] : queries) {
+            const auto expected = whole.closest(ray, leaving, interval, count);
+            const auto hit = growing.closest(ray, leaving, interval, count);
+            REQUIRE(hit.has_value() == expected.has_value());
+            CHECK((!hit || (hit->t == expected->t && hit->primitive == expected->primitive)));
+            CHECK(growing.any(ray, leaving, interval, count) == expected.has_value());
+            const auto all = growing.all(ray, leaving, interval, count);
+            const auto all_expected = whole.all(ray, leaving, interval, count);
+            CHECK(std::ranges::equal(all, all_expected, [](const auto& a, const auto& b) {
+                return a.t == b.t && a.primitive == b.primitive;
+            }));
+        }
+    };
+    compare();
+    CHECK(growing.hierarchy().node_count() == whole.hierarchy().node_count());
+    compare();
+}
+
+TEST_CASE("growing hierarchy: it grows where rays go, and nowhere else") {
+    const Scene scene = test::random_shapes(20'000, 4, 1, Point(0.0));
+    const ShapeSet<double> shapes(scene);
+    const GrowingHierarchy growing(shapes);
+    CHECK(growing.cells() > 100);
+    CHECK(growing.grown() == 0);
+    growing.closest({{{0, 0, 5}, {0, 0, 1}, 0}, no_primitive, {}}, nullptr);
+    CHECK(growing.grown() == 0);
+    growing.closest({{{0, 0, 5}, {0, 0, -1}, 0}, no_primitive, {}}, nullptr);
+    CHECK(growing.grown() > 0);
+    CHECK(growing.grown() < growing.cells() / 10);
+}
+
+TEST_CASE("growing hierarchy: no shapes, one, and many in one place") {
+    Scene scene;
+    scene.materials.push_back({});
+    const Query<double> query{{{0, 0, 5}, {0, 0, -1}, 0}, no_primitive, {}};
+    for (const int count : {0, 1, 3000}) {
+        while (scene.objects.size() < static_cast<std::size_t>(count)) {
+            test::add(scene, Sphere{{0, 0, 0}, 1});
+        }
+        const ShapeSet<double> shapes(scene);
+        const GrowingHierarchy growing(shapes);
+        CHECK((growing.any(query, nullptr) != no_primitive) == (count > 0));
+        CHECK(growing.closest(query, nullptr).primitive == (count > 0 ? 0 : no_primitive));
+    }
 }

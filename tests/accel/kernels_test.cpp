@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "accel/growing_hierarchy.h"
 #include "accel/intersector.h"
 #include "support/scenes.h"
 
@@ -12,22 +13,14 @@ using namespace raytree;
 
 namespace {
 
-std::vector<const Kernels*> all_kernels() {
-    std::vector<const Kernels*> list = {&plain_kernels};
-#if defined(__x86_64__) && defined(__GNUC__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        list.push_back(&avx2_kernels);
-    }
-#endif
-    return list;
-}
-
-Searched searched(const Scene& scene) {
-    Searched result{ShapeSet<double>(scene)};
-    result.bvh = hierarchy_of(result.shapes);
-    result.filter = LeafFilter(result.shapes, result.bvh);
-    return result;
-}
+/// A scene's shapes and what the kernels search them with.
+struct Subject {
+    explicit Subject(const Scene& scene)
+        : shapes(scene), searched(searched_of(shapes)), growing(shapes) {}
+    ShapeSet<double> shapes;
+    Searched searched;
+    GrowingHierarchy growing;
+};
 
 Hit<double> brute_force(const ShapeSet<double>& shapes, const Query<double>& query) {
     Hit<double> best{Real<double>::infinity, no_primitive};
@@ -41,31 +34,46 @@ Hit<double> brute_force(const ShapeSet<double>& shapes, const Query<double>& que
     return best.primitive == no_primitive ? Hit<double>{} : best;
 }
 
+/// What grows where its rays go gives what brute force gives, to the last bit.
+void check_growing(const Subject& s, const std::vector<Query<double>>& queries,
+                   const std::vector<Hit<double>>& expected) {
+    std::size_t differ = 0;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+        const Hit<double> hit = s.growing.closest(queries[k], nullptr);
+        const bool met = expected[k].primitive != no_primitive;
+        differ += hit.primitive != expected[k].primitive || hit.t != expected[k].t ? 1 : 0;
+        differ += (s.growing.any(queries[k], nullptr) != no_primitive) != met ? 1 : 0;
+    }
+    CHECK(differ == 0);
+}
+
 /// Every way to ask gives what brute force gives, to the last bit.
 void check_all(const Scene& scene, const std::vector<Query<double>>& queries) {
-    const Searched s = searched(scene);
+    const Subject s(scene);
     std::vector<Hit<double>> expected;
     for (const auto& query : queries) {
         expected.push_back(brute_force(s.shapes, query));
     }
-    for (const Kernels* kernels : all_kernels()) {
+    check_growing(s, queries, expected);
+    for (const Kernels* kernels : runnable_kernels()) {
         CAPTURE(kernels == &plain_kernels);
         std::vector<Hit<double>> each(queries.size()), packets(queries.size());
         std::vector<std::uint8_t> any_each(queries.size()), any_packets(queries.size());
-        kernels->closest_of_each(s, queries, each);
-        kernels->closest_in_packets(s, queries, packets);
-        kernels->any_of_each(s, queries, any_each);
-        kernels->any_in_packets(s, queries, any_packets);
+        kernels->closest_of_each(s.searched, queries, each);
+        kernels->closest_in_packets(s.searched, queries, packets);
+        kernels->any_of_each(s.searched, queries, any_each);
+        kernels->any_in_packets(s.searched, queries, any_packets);
         std::size_t differ = 0;
         for (std::size_t k = 0; k < queries.size(); ++k) {
             std::size_t tests = 0;
-            Hit<double> one = kernels->closest(s, queries[k], &tests);
+            Hit<double> one = kernels->closest(s.searched, queries[k], &tests);
             one = one.primitive == no_primitive ? Hit<double>{} : one;
             const bool met = expected[k].primitive != no_primitive;
             for (const Hit<double>& hit : {one, each[k], packets[k]}) {
                 differ += hit.primitive != expected[k].primitive || hit.t != expected[k].t ? 1 : 0;
             }
-            differ += kernels->any(s, queries[k], nullptr) != met ? 1 : 0;
+            differ +=
+                (kernels->any(s.searched, queries[k], nullptr) != no_primitive) != met ? 1 : 0;
             differ += (any_each[k] != 0) != met || (any_packets[k] != 0) != met ? 1 : 0;
         }
         CHECK(differ == 0);
@@ -175,7 +183,7 @@ TEST_CASE("kernels: rays at the vertices and edges of a closed mesh all meet it"
     scene.materials.push_back({});
     test::add(scene, ball({0.3, 0.2, 0.1}, 1, false));
     const Mesh& mesh = std::get<Mesh>(scene.objects[0].shape);
-    const Searched s = searched(scene);
+    const Subject s(scene);
     std::vector<Query<double>> queries;
     for (const Mesh::Triangle& triangle : mesh.triangles) {
         for (const double share : {0.0, 0.5, 0.37}) {
@@ -187,16 +195,67 @@ TEST_CASE("kernels: rays at the vertices and edges of a closed mesh all meet it"
                 {{inside, UnitVec3<double>::of(aim - inside).vec(), 0}, no_primitive, {}});
         }
     }
-    for (const Kernels* kernels : all_kernels()) {
+    for (const Kernels* kernels : runnable_kernels()) {
         std::vector<Hit<double>> hits(queries.size());
         std::vector<std::uint8_t> met(queries.size());
-        kernels->closest_of_each(s, queries, hits);
-        kernels->any_in_packets(s, queries, met);
+        kernels->closest_of_each(s.searched, queries, hits);
+        kernels->any_in_packets(s.searched, queries, met);
         CHECK(std::count(met.begin(), met.end(), 0) == 0);
         CHECK(std::count_if(hits.begin(), hits.end(), [](const Hit<double>& hit) {
                   return hit.primitive == no_primitive;
               }) == 0);
     }
+}
+
+TEST_CASE("kernels: rays that start or end just before, on and just behind what they meet") {
+    for (const bool floats : {true, false}) {
+        CAPTURE(floats);
+        Scene scene = test::random_shapes(200, 7, 1, Point(0.0));
+        test::add(scene, ball({0.4, 0.1, 0}, 0.5, floats));
+        test::add(scene, ball({-0.4, 0.1, 0.2}, 0.01, floats));
+        const Subject s(scene);
+        Rays rays(9, 1.5, Point(0.0));
+        std::vector<Query<double>> queries;
+        for (const Query<double>& query : rays.any_order(150)) {
+            const Hit<double> hit = brute_force(s.shapes, query);
+            if (hit.primitive == no_primitive) {
+                continue;
+            }
+            for (const double off : {0.0, 1e-15, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-3}) {
+                for (const double t : {hit.t * (1 - off), hit.t * (1 + off)}) {
+                    Query<double> from = query, to = query;
+                    from.ray.origin = along(query.ray.origin, t, query.ray.direction);
+                    to.interval.to = t;
+                    queries.insert(queries.end(), {from, to});
+                    from.leaving = hit.primitive;
+                    queries.push_back(from);
+                }
+            }
+        }
+        check_all(scene, queries);
+    }
+}
+
+TEST_CASE("kernels: rays in the planes of triangles, and nearly so") {
+    Scene scene;
+    scene.materials.push_back({});
+    test::add(scene, ball({0, 0, 0}, 1, true));
+    const Subject s(scene);
+    std::vector<Query<double>> queries;
+    for (PrimitiveId id = 0; id < s.shapes.size(); id += 3) {
+        const auto& [a, b, c] = s.shapes.triangle(s.shapes[id]).vertices;
+        const Point normal = outer<double>(b - a, c - a);
+        if (length(normal) == 0) {
+            continue;
+        }
+        for (const double tilt : {0.0, 1e-16, 1e-9, 1e-7, 1e-6, 1e-4}) {
+            const Point direction = (b + c) / 2.0 - a + tilt * normal / length(normal);
+            const auto d = UnitVec3<double>::of(direction).vec();
+            queries.push_back({{a - 2.0 * d, d, 0}, no_primitive, {}});
+            queries.push_back({{a + 0.3 * direction, d, 0}, no_primitive, {}});
+        }
+    }
+    check_all(scene, queries);
 }
 
 TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {
@@ -220,17 +279,30 @@ TEST_CASE("kernels: shapes that all but coincide, in a scene that is much larger
     check_scene(scene, 2, Point(0.0));
 }
 
-TEST_CASE("kernels: a triangle's float copies give it back to the last bit") {
+TEST_CASE("kernels: a shape's copies give it back to the last bit") {
     for (const bool floats : {true, false}) {
         Scene scene;
         scene.materials.push_back({});
         test::add(scene, ball({0.1, 0, 2}, 1, floats));
-        const Searched s = searched(scene);
-        s.bvh.for_each_leaf([&](WideBvh::Ref leaf) {
+        test::add(scene, Sphere{{0.1, 0.25, 2}, 0.1});
+        test::add(scene, Cone{{0.1, 0.2, 0.3}, {0.5, 0.6, 2}, 0.1, 0.2});
+        const Subject s(scene);
+        s.searched.bvh.for_each_leaf([&](WideBvh::Ref leaf) {
             for (std::size_t lane = 0; lane < leaf.count(); ++lane) {
-                const PrimitiveId id = s.bvh.items()[leaf.first() + lane];
-                CHECK(s.filter.triangle_of(leaf, lane).vertices ==
-                      s.shapes.triangle(s.shapes[id]).vertices);
+                const Primitive shape = s.shapes[s.searched.bvh.items()[leaf.first() + lane]];
+                if (leaf.kind() == LeafFilter::triangle) {
+                    CHECK(s.searched.filter.triangle_of(leaf, lane).vertices ==
+                          s.shapes.triangle(shape).vertices);
+                } else if (leaf.kind() == LeafFilter::sphere) {
+                    CHECK(s.searched.filter.sphere_of(leaf, lane).center ==
+                          s.shapes.sphere(shape).center);
+                    CHECK(s.searched.filter.sphere_of(leaf, lane).radius ==
+                          s.shapes.sphere(shape).radius);
+                } else {
+                    CHECK(s.searched.filter.cone_of(leaf, lane).base == s.shapes.cone(shape).base);
+                    CHECK(s.searched.filter.cone_of(leaf, lane).slope ==
+                          s.shapes.cone(shape).slope);
+                }
             }
         });
     }

@@ -39,6 +39,64 @@ struct Errors {
     }
 };
 
+using Queries = std::vector<Query<double>>;
+
+/// The same queries, asked in every way there is, all or a part of them.
+class Asking {
+  public:
+    Asking(const Subject& subject, const Queries& queries, RayOrder order, bool any)
+        : s_(subject),
+          queries_(queries),
+          coherent_(order == RayOrder::coherent),
+          any_(any),
+          hits_(queries.size()),
+          met_(queries.size()),
+          theirs_(queries.size()) {}
+
+    std::size_t size() const { return queries_.size(); }
+
+    void one_by_one() {
+        NoTestCount tests;
+        for (std::size_t k = 0; k < queries_.size(); ++k) {
+            const auto& [ray, leaving, interval] = queries_[k];
+            if (any_) {
+                met_[k] = s_.ours->any(ray, leaving, interval, tests) ? 1 : 0;
+            } else {
+                hits_[k] = s_.ours->closest(ray, leaving, interval, tests).value_or(Hit<double>{});
+            }
+        }
+    }
+
+    void together(std::size_t first, std::size_t count) {
+        const auto some = std::span(queries_).subspan(first, count);
+        const Together how = coherent_ ? Together::coherent : Together::any_order;
+        if (any_) {
+            s_.ours->any(some, std::span(met_).subspan(first, count), how);
+        } else {
+            s_.ours->closest(some, std::span(hits_).subspan(first, count), how);
+        }
+    }
+
+    void embree(const EmbreeScene& scene, bool packets, std::size_t first, std::size_t count) {
+        const auto some = std::span(queries_).subspan(first, count);
+        const auto hits = std::span(theirs_).subspan(first, count);
+        if (packets) {
+            any_ ? scene.any_packets(some, hits, coherent_)
+                 : scene.closest_packets(some, hits, coherent_);
+        } else {
+            any_ ? scene.any(some, hits) : scene.closest(some, hits);
+        }
+    }
+
+  private:
+    const Subject& s_;
+    const Queries& queries_;
+    bool coherent_, any_;
+    std::vector<Hit<double>> hits_;
+    std::vector<std::uint8_t> met_;
+    std::vector<EmbreeHit> theirs_;
+};
+
 class Race {
   public:
     Race(const Options& options, Report& report) : options_(options), report_(report) {}
@@ -65,54 +123,47 @@ class Race {
     }
 
   private:
-    using Queries = std::vector<Query<double>>;
-
     void measure(const std::string& name, const Subject& s, RayOrder order, bool any,
                  const Queries& queries) {
-        const bool coherent = order == RayOrder::coherent;
-        std::vector<Hit<double>> hits(queries.size());
-        std::vector<std::uint8_t> met(queries.size());
-        std::vector<EmbreeHit> theirs(queries.size());
-        NoTestCount tests;
-        std::vector<Rival> rivals;
-        rivals.push_back(
-            {"one", [&] {
-                 for (std::size_t k = 0; k < queries.size(); ++k) {
-                     const auto& [ray, leaving, interval] = queries[k];
-                     if (any) {
-                         met[k] = s.ours->any(ray, leaving, interval, tests) ? 1 : 0;
-                     } else {
-                         hits[k] =
-                             s.ours->closest(ray, leaving, interval, tests).value_or(Hit<double>{});
-                     }
-                 }
-             }});
-        rivals.push_back({"together", [&] {
-                              const Together together =
-                                  coherent ? Together::coherent : Together::any_order;
-                              if (any) {
-                                  s.ours->any(queries, met, together);
-                              } else {
-                                  s.ours->closest(queries, hits, together);
-                              }
-                          }});
+        Asking ask(s, queries, order, any);
+        std::vector<Rival> rivals = {{"one", [&] { ask.one_by_one(); }},
+                                     {"together", [&] { ask.together(0, ask.size()); }}};
         for (const EmbreeScene* embree : {s.fast.get(), s.robust.get()}) {
-            if (embree) {
-                rivals.push_back({"embree one", [&, embree] {
-                                      any ? embree->any(queries, theirs)
-                                          : embree->closest(queries, theirs);
-                                  }});
-                rivals.push_back({"embree packets", [&, embree] {
-                                      any ? embree->any_packets(queries, theirs, coherent)
-                                          : embree->closest_packets(queries, theirs, coherent);
-                                  }});
+            for (const bool packets : {false, true}) {
+                if (embree) {
+                    rivals.push_back(
+                        {packets ? "embree packets" : "embree one",
+                         [&ask, embree, packets] { ask.embree(*embree, packets, 0, ask.size()); }});
+                }
             }
         }
-        report(name, s, order, any, queries, in_turn(rivals, options_.rounds));
+        const auto times = in_turn(rivals, options_.rounds);
+        report(name, s, order, any, queries, times, on_all_cores(ask, s, times));
+    }
+
+    /// The waiting for ours and for Embree's better way in ROBUST mode, on all cores.
+    std::vector<Timing> on_all_cores(Asking& ask, const Subject& s,
+                                     const std::vector<Timing>& times) const {
+        std::vector<Rival> rivals = {{"together", [&] {
+                                          in_parts(ask.size(),
+                                                   [&](std::size_t first, std::size_t count) {
+                                                       ask.together(first, count);
+                                                   });
+                                      }}};
+        if (s.robust) {
+            const bool packets = times[5].median < times[4].median;
+            rivals.push_back({"embree", [&, packets] {
+                                  in_parts(ask.size(), [&](std::size_t first, std::size_t count) {
+                                      ask.embree(*s.robust, packets, first, count);
+                                  });
+                              }});
+        }
+        return in_turn(rivals, options_.rounds, wall_seconds);
     }
 
     void report(const std::string& name, const Subject& s, RayOrder order, bool any,
-                const Queries& queries, const std::vector<Timing>& times) {
+                const Queries& queries, const std::vector<Timing>& times,
+                const std::vector<Timing>& on_all) {
         const auto rate = [&](const Timing& t) {
             return static_cast<double>(queries.size()) / t.median / 1e6;
         };
@@ -136,6 +187,8 @@ class Race {
         } else {
             cells.insert(cells.end(), 3, {NAN});
         }
+        cells.push_back({rate(on_all[0])});
+        cells.push_back({on_all.size() > 1 ? speedup(on_all[0], on_all[1]) : NAN});
         add_errors(cells, s, any, queries);
         report_.row(cells);
     }
@@ -180,10 +233,12 @@ void race(const Options& options) {
     report.table(
         "Million rays a second. `one`: a ray at a time; `many`: handed over together. "
         "F: Embree's fast mode, R: ROBUST; 1: a ray at a time, 16: packets. "
-        "many/R, many/F: ours over Embree's best; one/R1: single rays. "
+        "many/R, many/F: ours over Embree's best; one/R1: single rays. `all`: handed over "
+        "together on all cores, by the clock; all/R: over Embree's best there. "
         "Errors: largest relative error of t, and rays wrongly said to hit or miss.",
-        {"scene", "shapes", "rays", "hit", "one", "many", "± %", "F 1", "F 16", "R 1", "R 16",
-         "many/R", "many/F", "one/R1", "error", "wrong", "R error", "R wrong"});
+        {"scene", "shapes", "rays",  "hit",   "one",     "many",   "± %",
+         "F 1",   "F 16",   "R 1",   "R 16",  "many/R",  "many/F", "one/R1",
+         "all",   "all/R",  "error", "wrong", "R error", "R wrong"});
     std::vector<std::size_t> sizes = {100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000};
     sizes.resize(options.quick ? 2 : 6);
     if (options.shapes > 0) {

@@ -52,6 +52,19 @@ TEST_CASE("what was written is read again") {
     CHECK(read.tree.rays[3].hit->kr == Rgb<double>(0));
 }
 
+TEST_CASE("numbers from which others follow that no double holds are refused with their ray") {
+    const auto ray = [](const std::string& members) {
+        return R"([{"id": 1, "kind": "primary", "direction": [1, 0, 0]}, {"id": 2, "parent": 1,
+                    "kind": "reflected", )" +
+               members + "}]";
+    };
+    CHECK(wrong_rays(ray(R"("direction": [0, 1e308, 1e308], "hit": {"t": 3})")) == "/rays/1");
+    CHECK(wrong_rays(ray(R"("direction": [0, 0, 1], "hit": {"t": 1e308})")) == "nothing");
+    // What is not judged, since the file does not say it, is not held against it either.
+    CHECK(wrong_rays(ray(R"("direction": [0, 0, 1], "hit": {"t": 3, "eta": [1, 0]})")) ==
+          "nothing");
+}
+
 TEST_CASE("a scene inside a tree is read with it") {
     Scene scene;
     scene.name = "inner";

@@ -259,13 +259,14 @@ TEST_CASE("lesson: it is found by name, number, or name without number") {
 TEST_CASE("lesson: as text it has every number put in") {
     const Play play(load_lesson(lessons, "spheres"));
     const std::string text = write_lesson_text(play);
-    CHECK(has(text, "1 of 6"));
+    const std::string of_all = " of " + std::to_string(play.lesson().steps.size());
+    CHECK(has(text, "1" + of_all));
     CHECK(has(text, "Answer: "));
     CHECK(!has(text, "{primary"));
     LessonTextOptions third;
     third.step = 2;
-    CHECK(has(write_lesson_text(play, third), "3 of 6"));
-    CHECK(!has(write_lesson_text(play, third), "1 of 6"));
+    CHECK(has(write_lesson_text(play, third), "3" + of_all));
+    CHECK(!has(write_lesson_text(play, third), "1" + of_all));
 }
 
 TEST_CASE("lesson: numbers are written as the reference asks") {

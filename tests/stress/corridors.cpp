@@ -52,10 +52,12 @@ Corridor make_corridor(Random& random) {
     return c;
 }
 
-/// Moves every number one unit in the last place of T higher or lower.
+/// Moves every number so many units in the last place of T higher or lower.
 template <class T> class Nudge {
   public:
-    explicit Nudge(Random* random) : random_(random) {}
+    /// Moves nothing.
+    Nudge() = default;
+    Nudge(Random& random, double ulps) : random_(&random), ulps_(ulps) {}
 
     template <class Number> void operator()(Number& x) const { move(x, abs(x)); }
     /// Each component by one unit in the last place of the largest.
@@ -69,17 +71,18 @@ template <class T> class Nudge {
   private:
     template <class Number> void move(Number& x, Number size) const {
         if (random_) {
-            const Number ulp = 2 * static_cast<Number>(Real<T>::unit_roundoff) * size;
-            x += random_->chance(0.5) ? ulp : -ulp;
+            const Number step =
+                static_cast<Number>(ulps_ * 2 * static_cast<double>(Real<T>::unit_roundoff)) * size;
+            x += random_->chance(0.5) ? step : -step;
         }
     }
 
-    Random* random_;  ///< null: moves nothing
+    Random* random_ = nullptr;
+    double ulps_ = 0;
 };
 
-template <class T> Corridor moved(Random& random, const Corridor& c) {
+template <class T> Corridor moved(const Nudge<T>& nudge, const Corridor& c) {
     Corridor result = c;
-    const Nudge<T> nudge(&random);
     for (auto& mirror : result.mirrors) {
         for (auto& vertex : mirror) {
             nudge(vertex);
@@ -132,45 +135,69 @@ template <class A, class B> double apart(const Vec3<A>& a, const Vec3<B>& b) {
     return static_cast<double>(length<B>(vector_cast<B>(a) - b));
 }
 
-template <class T> void try_one(Random& random, const Corridor& c, Tally& tally) {
-    using Ref = Reference<T>;
-    Corridor rounded = c;  // what T can hold
+/// How many units in the last place the neighbours of a ray are moved. A unit of `float` is seen by
+/// double as it is; one of `double` is not, but 2^20 are, and the way they move a ray is as much
+/// larger: 2^-32 of a length is next to nothing still.
+template <class T> constexpr double step_ulps = std::is_same_v<T, float> ? 1 : 0x1p20;
+
+/// How far one unit in the last place of T moves the exact ray, of the input and at each bounce so
+/// far: the sum over some neighbours, in double.
+struct Sensitivity {
+    std::size_t length = bounces;
+    std::array<double, bounces> points{}, directions{};
+};
+
+template <class T> Sensitivity sensitivity(Random& random, const Corridor& c) {
+    Sensitivity result;
+    const Nudge<T> nudge(random, step_ulps<T>);
+    const Path<double> straight = follow<double>(c, Nudge<T>());
+    result.length = straight.length;
+    for (int run = 0; run < neighbours; ++run) {
+        const Path<double> other = follow<double>(moved(nudge, c), nudge);
+        result.length = min_of(result.length, other.length);
+        double worst_point = 0, worst_direction = 0;
+        for (std::size_t k = 0; k < result.length; ++k) {
+            worst_point = max_of(worst_point, apart(other.points[k], straight.points[k]));
+            worst_direction =
+                max_of(worst_direction, apart(other.directions[k], straight.directions[k]));
+            result.points[k] += worst_point / step_ulps<T>;
+            result.directions[k] += worst_direction / step_ulps<T>;
+        }
+    }
+    return result;
+}
+
+/// The corridor that T can hold.
+template <class T> Corridor rounded(Corridor c) {
     if constexpr (std::is_same_v<T, float>) {
         const auto round = [](Vec3<double>& p) { p = vector_cast<double>(vector_cast<float>(p)); };
-        for (auto& mirror : rounded.mirrors) {
+        for (auto& mirror : c.mirrors) {
             std::ranges::for_each(mirror, round);
         }
-        round(rounded.center);
-        round(rounded.eye);
-        round(rounded.aim);
-        rounded.radius = static_cast<double>(static_cast<float>(c.radius));
+        round(c.center);
+        round(c.eye);
+        round(c.aim);
+        c.radius = static_cast<double>(static_cast<float>(c.radius));
     }
-    const Path<T> own = follow<T>(rounded, Nudge<T>(nullptr));
-    const Path<Ref> exact = follow<Ref>(rounded, Nudge<T>(nullptr));
-    // How far one unit in the last place of the input moves the reference, so far.
-    std::array<double, bounces> point_moves{}, direction_moves{};
-    std::size_t length = exact.length;
-    for (int run = 0; run < neighbours; ++run) {
-        const Path<Ref> other = follow<Ref>(moved<T>(random, rounded), Nudge<T>(&random));
-        length = min_of(length, other.length);
-        double worst_point = 0, worst_direction = 0;
-        for (std::size_t k = 0; k < length; ++k) {
-            worst_point = max_of(worst_point, apart(other.points[k], exact.points[k]));
-            worst_direction =
-                max_of(worst_direction, apart(other.directions[k], exact.directions[k]));
-            point_moves[k] += worst_point;
-            direction_moves[k] += worst_direction;
-        }
-    }
+    return c;
+}
+
+template <class T> void try_one(Random& random, const Corridor& given, Tally& tally) {
+    using Ref = Reference<T>;
+    const Corridor c = rounded<T>(given);
+    const Path<T> own = follow<T>(c, Nudge<T>());
+    const Path<Ref> exact = follow<Ref>(c, Nudge<T>());
+    const Sensitivity moves = sensitivity<T>(random, c);
+    const std::size_t length = min_of(exact.length, moves.length);
     Outcome& outcome = tally.in<T>();
     double share = own.length < length ? 2 : 0;
     const double ulp = 2 * static_cast<double>(Real<T>::unit_roundoff);
     for (std::size_t k = 0; k < min_of(length, own.length); ++k) {
         const double size = static_cast<double>(largest_component(exact.points[k]));
         share = max_of(share,
-                       apart(own.points[k], exact.points[k]) / (8 * point_moves[k] + ulp * size));
+                       apart(own.points[k], exact.points[k]) / (8 * moves.points[k] + ulp * size));
         share = max_of(
-            share, apart(own.directions[k], exact.directions[k]) / (8 * direction_moves[k] + ulp));
+            share, apart(own.directions[k], exact.directions[k]) / (8 * moves.directions[k] + ulp));
     }
     if (!outcome.judge(share)) {
         tally.describe<T>([&](std::ostream& out) {

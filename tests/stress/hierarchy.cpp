@@ -37,9 +37,13 @@ void scatter(Random& random, Scene& scene, std::size_t count, double scale, cons
 /// Everything in one place: the same shapes again and again.
 void coincide(Random& random, Scene& scene, std::size_t count, double scale, const Point& center) {
     const Point at = center + scale * random.in_cube();
+    std::array<Shape, 5> shapes;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        Random same(7, k);
+        shapes[k] = any_shape(same, at, scale);
+    }
     for (std::size_t k = 0; k < count; ++k) {
-        Random same(7, k % 5);
-        add(scene, any_shape(same, at, scale));
+        add(scene, shapes[k % shapes.size()]);
     }
 }
 
@@ -123,7 +127,7 @@ template <class T> class Comparison {
         if (!(largest_component(direction) > 0)) {
             return;
         }
-        const double reach = random.chance(0.2) ? 1e4 : 1.5;
+        const double reach = random.chance(0.2) ? random.log_uniform(1e1, 1e14) : 1.5;
         const Point eye = random.chance(0.2) ? center : center + reach * scale * random.in_cube();
         Ray<T> ray{vector_cast<T>(eye), UnitVec3<T>::of(vector_cast<T>(direction)).vec(), T(0)};
         if (reach > 2) {  // towards the shapes

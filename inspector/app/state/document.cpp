@@ -98,7 +98,9 @@ Pixel pixel_from(std::string_view text) {
 std::string text_of(Pixel pixel) { return std::to_string(pixel.i) + "," + std::to_string(pixel.j); }
 
 Document::Document(std::filesystem::path file, LoadedScene loaded)
-    : file_(std::move(file)), loaded_(std::move(loaded)), world_(loaded_.scene) {}
+    : file_(std::move(file)),
+      loaded_(std::move(loaded)),
+      world_(loaded_.scene, Build::where_rays_go) {}
 
 const World<Quad>& Document::reference() const {
     std::call_once(reference_asked_, [this] { reference_.emplace(loaded_.scene); });

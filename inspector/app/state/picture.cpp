@@ -82,6 +82,7 @@ std::optional<Rgb<double>> PictureRender::intensity(Pixel pixel) const {
 }
 
 void PictureRender::run() {
+    document_->world().shapes.complete();  // the first tree needs only a part, and does not wait
     int step = 1;
     while (std::max(picture_.width, picture_.height) / step > coarsest_cells) {
         step *= 2;

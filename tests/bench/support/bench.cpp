@@ -1,6 +1,7 @@
 #include "support/bench.h"
 
 #include <sys/resource.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -134,6 +135,12 @@ double resident_bytes() {
     double pages = 0;
     file >> pages >> pages;
     return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
+    constexpr std::size_t part = 2048;
+    tbb::parallel_for(std::size_t(0), (size + part - 1) / part,
+                      [&](std::size_t k) { work(k * part, std::min(part, size - k * part)); });
 }
 
 Timing timing_of(std::vector<double> seconds) {

@@ -61,6 +61,10 @@ struct Timing {
 std::vector<Timing> in_turn(const std::vector<Rival>& rivals, int rounds,
                             double (*clock)() = thread_seconds);
 
+/// Calls `work(first, count)` for parts of 0 .. size - 1, each of a multiple of sixteen but the
+/// last, on all cores.
+void in_parts(std::size_t size, const std::function<void(std::size_t, std::size_t)>& work);
+
 Timing timing_of(std::vector<double> seconds);
 double median_of(std::vector<double> values);
 

@@ -3,14 +3,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include "formats/json_text.h"
 #include "formats/output_file.h"
 #include "formats/styled_text.h"
-#include "support/plot.h"
 
 namespace raytree::bench {
+namespace {
+
+void write(JsonWriter& json, double number) {
+    if (std::isfinite(number)) {
+        json.value(number);
+    } else {
+        json.null();
+    }
+}
+
+void write(JsonWriter& json, const Cell& cell) {
+    if (cell.is_number) {
+        write(json, cell.value);
+    } else {
+        json.value(cell.text);
+    }
+}
+
+void write(JsonWriter& json, const std::vector<double>& numbers) {
+    json.begin_array();
+    for (const double number : numbers) {
+        write(json, number);
+    }
+    json.end_array();
+}
+
+}  // namespace
 
 std::string Cell::shown() const {
     if (!is_number) {
@@ -68,20 +95,22 @@ std::string Report::file_name(const std::string& rest) const {
 
 void Report::plot(const std::string& file, const std::string& title, const std::string& x_axis,
                   const std::string& y_axis, const std::vector<Series>& series) {
-    if (options_.folder.empty()) {
-        return;
-    }
-    Plot plot(title, x_axis, y_axis);
-    for (const Series& s : series) {
-        plot.add(s.name, s.x, s.y);
-    }
-    write_output(file_name('-' + file + ".svg"), plot.svg());
+    plots_.push_back({file, title, x_axis, y_axis, series});
 }
 
 void Report::finish() {
     if (options_.folder.empty()) {
         return;
     }
+    write_output(file_name(".json"), json());
+    const std::string command =
+        "'" RAYTREE_PYTHON "' '" RAYTREE_PLOT "' '" + file_name(".json") + "'";
+    if (!plots_.empty() && std::system(command.c_str()) != 0) {
+        std::cout << "\nNo plots: they are drawn by Debian's python3-matplotlib." << std::endl;
+    }
+}
+
+std::string Report::json() const {
     JsonWriter json;
     using Layout = JsonWriter::Layout;
     json.begin_object(Layout::block);
@@ -95,14 +124,7 @@ void Report::finish() {
         for (const std::vector<Cell>& row : table.rows) {
             json.begin_object();
             for (std::size_t k = 0; k < row.size(); ++k) {
-                json.key(table.columns[k]);
-                if (!row[k].is_number) {
-                    json.value(row[k].text);
-                } else if (std::isfinite(row[k].value)) {
-                    json.value(row[k].value);
-                } else {
-                    json.null();
-                }
+                write(json.key(table.columns[k]), row[k]);
             }
             json.end_object();
         }
@@ -112,8 +134,21 @@ void Report::finish() {
     for (const std::string& note : notes_) {
         json.value(note);
     }
+    json.end_array().key("plots").begin_array(Layout::block);
+    for (const Plot& plot : plots_) {
+        json.begin_object(Layout::block).member("file", plot.file).member("title", plot.title);
+        json.member("x_axis", plot.x_axis).member("y_axis", plot.y_axis);
+        json.key("series").begin_array(Layout::block);
+        for (const Series& series : plot.series) {
+            json.begin_object().member("name", series.name);
+            write(json.key("x"), series.x);
+            write(json.key("y"), series.y);
+            json.end_object();
+        }
+        json.end_array().end_object();
+    }
     json.end_array().end_object();
-    write_output(file_name(".json"), json.take());
+    return json.take();
 }
 
 }  // namespace raytree::bench

@@ -7,7 +7,7 @@
 #include "support/bench.h"
 
 /// What a benchmark says: tables on standard output while it runs, and at its end NAME.json and
-/// the plots NAME-*.svg in the folder.
+/// the plots NAME-*.svg in the folder, which plot.py draws from it.
 namespace raytree::bench {
 
 /// A cell: words, or a number with the digits to show.
@@ -38,11 +38,11 @@ class Report {
         std::string name;
         std::vector<double> x, y;
     };
-    /// A plot with logarithmic axes, NAME-FILE.svg.
+    /// A plot with logarithmic axes, NAME-FILE.svg. Points that are not positive are left out.
     void plot(const std::string& file, const std::string& title, const std::string& x_axis,
               const std::string& y_axis, const std::vector<Series>& series);
 
-    /// Writes NAME.json. Nothing follows.
+    /// Writes NAME.json and has the plots drawn. Nothing follows.
     void finish();
 
   private:
@@ -53,12 +53,19 @@ class Report {
         std::vector<std::size_t> widths;
     };
 
+    struct Plot {
+        std::string file, title, x_axis, y_axis;
+        std::vector<Series> series;
+    };
+
+    std::string json() const;
     std::string file_name(const std::string& rest) const;
 
     Options options_;
     std::string title_;
     std::vector<Table> tables_;
     std::vector<std::string> notes_;
+    std::vector<Plot> plots_;
 };
 
 }  // namespace raytree::bench

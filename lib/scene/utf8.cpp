@@ -1,4 +1,4 @@
-#include "formats/utf8.h"
+#include "scene/utf8.h"
 
 namespace raytree {
 namespace {

@@ -1,6 +1,10 @@
-#include "formats/utf8.h"
+#include "scene/utf8.h"
 
 #include <doctest/doctest.h>
+
+#include <string>
+
+#include "scene/input_error.h"
 
 namespace raytree {
 namespace {
@@ -16,6 +20,11 @@ TEST_CASE("what a message quotes from a file is UTF-8 without control characters
     CHECK(legible("\xED\xA0\x80") == "\uFFFD\uFFFD\uFFFD");  // a surrogate
     CHECK(legible("end \xE2\x82") == "end \uFFFD\uFFFD");
     CHECK(legible("").empty());
+}
+
+TEST_CASE("a message is clean text, whatever the file holds and is called") {
+    const InputError error("a\x1B[2Jb.json", "/objects/\xFF", "found '\n'");
+    CHECK(std::string(error.what()) == "a\uFFFD[2Jb.json: /objects/\uFFFD: found '\uFFFD'");
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+#if defined(__x86_64__) && defined(__GNUC__)
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <memory>
+
+#include "accel/kernels.h"
+
+// All that follows is compiled for AVX-512, and nothing that other files compile as well: what the
+// headers above define was declared before.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512vl"))), \
+                             apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2,fma,avx512f,avx512vl")
+#endif
+
+#include "accel/simd_avx512.h"
+
+namespace raytree::avx512 {
+#include "accel/kernels.inl"
+}
+
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+namespace raytree {
+
+const Kernels avx512_kernels = avx512::all_kernels;
+
+}  // namespace raytree
+
+#endif
