@@ -70,9 +70,10 @@ int check(Arguments& arguments) {
     }
     if (arguments.merge) {
         const bool judges = !arguments.scene.file.empty() || !arguments.reference.empty() ||
-                            run.rubric || run.options.profile;
+                            run.rubric || run.options.profile || !run.pictures.empty();
         if (judges) {
-            throw Misuse("--merge joins finished reports: it takes no scene, profile or rubric");
+            throw Misuse(
+                "--merge joins finished reports: it takes no scene, profile, rubric or pictures");
         }
         return merge_reports(run);
     }
@@ -138,6 +139,8 @@ void add_reporting(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
               [&run](const std::string& text) {
                   run.as = static_cast<check::ReportFormat>(one_of("--as", text, format_words));
               });
+    add_value(app, "--picture", "FOLDER", "draw each tree over the true one, as SVG",
+              [&run](const std::string& text) { run.pictures = text; });
     app.add_flag("--anonymous", run.anonymous, "numbers instead of the files' names");
     app.add_flag("--catalogue", arguments->catalogue,
                  "all mistakes, conventions and profiles as Markdown");

@@ -4,8 +4,11 @@
 #include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "check/picture_check.h"
 #include "command.h"
@@ -34,19 +37,78 @@ check::Report judged_picture(const check::PictureChecker& checker, const Handed&
     }
 }
 
-check::Report judged(const check::Checker& checker, const check::PictureChecker& pictures,
-                     const Handed& handed) {
-    if (!handed.refusal.empty()) {
-        return check::refused(handed.name, handed.refusal);
+/// What is said of a submission, and the drawing of its tree.
+struct Judged {
+    check::Printed printed;
+    std::string drawing;
+};
+
+check::Report judged_tree(const check::Checker& checker, const Handed& handed, bool drawn,
+                          std::string& drawing) {
+    if (!drawn) {
+        return handed.text ? checker.check_text(*handed.text, handed.name)
+                           : checker.check_file(handed.file, handed.name);
     }
-    if (handed.is_picture) {
-        return judged_picture(pictures, handed);
+    try {
+        const std::string text =
+            handed.text ? *handed.text : check::load_submission_text(handed.file);
+        const check::Report report = checker.check_text(text, handed.name);
+        drawing = checker.overlay(text, report);
+        return report;
+    } catch (const InputError& error) {
+        return check::refused(handed.name, error.mistakes().front().text);
     }
-    if (handed.text) {
-        return checker.check_text(*handed.text, handed.name);
-    }
-    return checker.check_file(handed.file, handed.name);
 }
+
+Judged judged(const check::Checker& checker, const check::PictureChecker& pictures,
+              const Handed& handed, const CheckRun& run) {
+    Judged result;
+    const check::Report report =
+        !handed.refusal.empty() ? check::refused(handed.name, handed.refusal)
+        : handed.is_picture     ? judged_picture(pictures, handed)
+                            : judged_tree(checker, handed, !run.pictures.empty(), result.drawing);
+    result.printed = check::printed(report, run.rubric ? &*run.rubric : nullptr);
+    return result;
+}
+
+/// Writes drawings to a folder, named like their submissions.
+class Drawings {
+  public:
+    explicit Drawings(const std::string& folder) : folder_(folder) {
+        std::error_code error;
+        if (!folder.empty() && !std::filesystem::create_directories(folder, error) && error) {
+            throw InputError(folder, "", "cannot be made: " + error.message());
+        }
+    }
+    void add(const std::string& submission, const std::string& svg) {
+        if (!svg.empty()) {
+            write_output((std::filesystem::path(folder_) / (name_of(submission) + ".svg")).string(),
+                         svg);
+        }
+    }
+
+  private:
+    /// A plain file name, and one that no submission had before.
+    std::string name_of(const std::string& submission) {
+        std::string name = submission.substr(0, submission.rfind('.'));
+        name = name.substr(0, longest_);
+        for (char& c : name) {
+            const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ||
+                               c == '_' || c == ',' || c == '.';
+            c = plain ? c : '_';
+        }
+        name = name.empty() || name.front() == '.' ? "tree" + name : name;
+        std::string unique = name;
+        for (std::size_t k = 2; !used_.insert(unique).second; ++k) {
+            unique = name + '-' + std::to_string(k);
+        }
+        return unique;
+    }
+
+    static constexpr std::size_t longest_ = 100;
+    std::string folder_;
+    std::set<std::string> used_;
+};
 
 int exit_code(const ReportSpool& spool) { return spool.all_pass() ? done : found_wrong; }
 
@@ -71,18 +133,20 @@ int check_submissions(const CheckRun& run) {
         return std::make_shared<Handed>(*std::move(handed));
     };
     const auto judge = [&](const std::shared_ptr<Handed>& handed) {
-        const check::Report report = judged(checker, pictures, *handed);
-        return std::make_shared<check::Printed>(
-            check::printed(report, run.rubric ? &*run.rubric : nullptr));
+        return std::make_shared<Judged>(judged(checker, pictures, *handed, run));
     };
-    const auto put = [&](const std::shared_ptr<check::Printed>& printed) { spool.add(*printed); };
+    Drawings drawings(run.pictures);
+    const auto put = [&](const std::shared_ptr<Judged>& result) {
+        spool.add(result->printed);
+        drawings.add(result->printed.file, result->drawing);
+    };
     tbb::parallel_pipeline(
         2 * threads,
         tbb::make_filter<void, std::shared_ptr<Handed>>(tbb::filter_mode::serial_in_order, take) &
-            tbb::make_filter<std::shared_ptr<Handed>, std::shared_ptr<check::Printed>>(
+            tbb::make_filter<std::shared_ptr<Handed>, std::shared_ptr<Judged>>(
                 tbb::filter_mode::parallel, judge) &
-            tbb::make_filter<std::shared_ptr<check::Printed>, void>(
-                tbb::filter_mode::serial_in_order, put));
+            tbb::make_filter<std::shared_ptr<Judged>, void>(tbb::filter_mode::serial_in_order,
+                                                            put));
     spool.write(run.output);
     return exit_code(spool);
 }

@@ -19,7 +19,8 @@ struct CheckRun {
     bool anonymous = false;
     check::ReportFormat as = check::ReportFormat::text;
     std::string output = "-";
-    int threads = 0;  ///< 0: all cores
+    std::string pictures;  ///< the folder for drawings of the trees; empty: none
+    int threads = 0;       ///< 0: all cores
 };
 
 /// Judges all submissions, several at a time, and writes one report. An exit code.

@@ -50,14 +50,16 @@ std::vector<std::string> reason_lines(const Measurement& measured, bool as_colou
 
 }  // namespace
 
-std::optional<Measure> map_named(std::string_view word) {
+MapChoice map_named(std::string_view word) {
     constexpr std::array measures = {Measure::rays, Measure::levels, Measure::tests,
                                      Measure::nanoseconds, Measure::ended};
-    std::array<std::string_view, measures.size() + 1> words = {"color"};
-    std::ranges::transform(measures, words.begin() + 1,
+    std::array<std::string_view, measures.size() + 2> words = {"color", "error"};
+    std::ranges::transform(measures, words.begin() + 2,
                            [](Measure measure) { return word_of(measure); });
     const std::size_t k = one_of("--map", word, words);
-    return k == 0 ? std::nullopt : std::optional(measures[k - 1]);
+    return k == 0   ? MapChoice{}
+           : k == 1 ? MapChoice{std::nullopt, true}
+                    : MapChoice{measures[k - 2], false};
 }
 
 MapPicture map_picture(const Measurement& measured, Measure measure) {
@@ -85,6 +87,36 @@ std::vector<std::string> map_values(const Measurement& measured, Measure measure
         lines.front() += ", " + range_text(map_range(measured.map, measure), measure);
     }
     return lines;
+}
+
+MapPicture error_picture(const ErrorMap& map) {
+    const ErrorRange range = error_range(map.errors);
+    MapPicture result{Image(map.picture.width, map.picture.height), {error_values(map)}};
+    for (std::size_t k = 0; k < map.errors.size(); ++k) {
+        const Colour8 c = error_colour(map.errors[k], range);
+        result.image.set(k, c[0], c[1], c[2]);
+    }
+    if (range.most > 0) {
+        std::string colours = "dark violet is " + number_text(range.least);
+        if (range.most > range.least) {
+            colours += ", yellow " + number_text(range.most) + ", on a logarithmic scale";
+        }
+        result.legend.push_back(colours);
+    }
+    if (range.exact > 0) {
+        const double share =
+            100 * static_cast<double>(range.exact) / static_cast<double>(map.errors.size());
+        result.legend.push_back("black is no difference at all (" + number_text(share) +
+                                " % of the pixels)");
+    }
+    return result;
+}
+
+std::string error_values(const ErrorMap& map) {
+    const auto [least, most] = std::ranges::minmax(map.errors);
+    return "difference of the pixel's intensity from the reference arithmetic, of the channel "
+           "farthest off (1 is white), from " +
+           number_text(least) + " to " + number_text(most);
 }
 
 }  // namespace raytree::cli

@@ -21,6 +21,7 @@ constexpr const char* examples =
     "  raytree render scene.json -o picture.png                     the picture\n"
     "  raytree render scene.json -o picture.png --size 1920x1080    larger\n"
     "  raytree render scene.json -o rays.png --map rays             how many rays each pixel took\n"
+    "  raytree render scene.json -o e.png --map error --size 97x61  what rounding does to each\n"
     "  raytree render scene.json -o picture.pfm --counts rays.json  exact numbers, and all counts";
 
 constexpr std::array<std::string_view, 3> image_words = {"png", "ppm", "pfm"};
@@ -29,7 +30,7 @@ struct Arguments {
     SceneArguments scene;
     std::string output;
     std::string counts;
-    std::optional<Measure> map;  ///< none: the picture itself
+    MapChoice map;
     Precision precision = Precision::twice;
 };
 
@@ -64,6 +65,11 @@ void expect_outputs(const std::string& output, const Arguments& arguments) {
     expect_writable(output, arguments.scene.file);
     if (!arguments.counts.empty()) {
         expect_writable(arguments.counts, arguments.scene.file);
+    }
+    if (arguments.map.error && !arguments.counts.empty()) {
+        throw Misuse(
+            "--counts goes with the other maps, not with --map error, which traces "
+            "every pixel in two arithmetics");
     }
     if (arguments.counts == output) {
         throw Misuse("-o and --counts both name " + output + "; they need a file each");
@@ -103,13 +109,33 @@ std::string map_bytes(const Measurement& measured, Measure measure, const std::s
     return encoded(map.image, kind);
 }
 
+std::string error_bytes(const ErrorMap& map, const std::string& kind) {
+    if (kind == "pfm") {
+        say(error_values(map));
+        return encode_pfm(map.picture.width, map.picture.height, map.errors);
+    }
+    const MapPicture picture = error_picture(map);
+    say_all(picture.legend);
+    return encoded(picture.image, kind);
+}
+
+ErrorMap traced_twice(const Arguments& arguments, const Scene& scene) {
+    Progress progress("rendering");
+    const RenderOptions options{arguments.scene.threads, progress.callback()};
+    const World<Quad> reference(scene);
+    return with_arithmetic(arguments.precision, [&]<class T>() {
+        const World<T> world(scene);
+        return render_error(world, reference, options);
+    });
+}
+
 Measurement traced(const Arguments& arguments, const Scene& scene) {
     Progress progress("rendering");
     const RenderOptions options{arguments.scene.threads, progress.callback()};
     return with_arithmetic(arguments.precision, [&]<class T>() {
         const World<T> world(scene);
-        if (arguments.map || !arguments.counts.empty()) {
-            return render_measured(world, arguments.map.value_or(Measure::rays), options);
+        if (arguments.map.measure || !arguments.counts.empty()) {
+            return render_measured(world, arguments.map.measure.value_or(Measure::rays), options);
         }
         return Measurement{render(world, options), {}, {}};
     });
@@ -121,9 +147,14 @@ int render_scene(const Arguments& arguments) {
     const std::string output = output_of(arguments, loaded);
     const std::string kind = image_kind(output);
     expect_outputs(output, arguments);
+    if (arguments.map.error) {
+        write_output(output, error_bytes(traced_twice(arguments, scene), kind));
+        return done;
+    }
     const Measurement measured = traced(arguments, scene);
-    const std::string bytes = arguments.map ? map_bytes(measured, *arguments.map, kind)
-                                            : picture_bytes(measured.picture, scene, kind);
+    const std::string bytes = arguments.map.measure
+                                  ? map_bytes(measured, *arguments.map.measure, kind)
+                                  : picture_bytes(measured.picture, scene, kind);
     if (!arguments.counts.empty()) {
         write_output(arguments.counts, counts_json(measured.counts));
     }
@@ -141,8 +172,10 @@ Command render_command(CLI::App& program) {
               ".png, .ppm, or .pfm with unclamped floats; - is PNG on\nstandard output "
               "(required, unless SCENE names its picture)",
               [arguments](const std::string& text) { arguments->output = text; });
-    add_value(*app, "--map", "color|rays|levels|tests|time|ended",
-              "instead of the picture, what each pixel cost, or why\nits tree ended",
+    add_value(*app, "--map", "color|rays|levels|tests|time|ended|error",
+              "instead of the picture, what each pixel cost, why its\ntree ended, or how far "
+              "rounding has moved it from the\nreference arithmetic (slow: every pixel is traced "
+              "in\nit too)",
               [arguments](const std::string& text) { arguments->map = map_named(text); });
     add_value(*app, "--counts", "FILE.json", "write how many rays of each kind there were",
               [arguments](const std::string& text) { arguments->counts = text; });

@@ -101,6 +101,12 @@ const MistakeRow rows[] = {
              return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
          };
      }}},
+    {"cam.row_off_by_one_up", "The row is one too far up.", topic,
+     [](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
+         };
+     }},
     {"cam.ij_swapped", "Column and row are exchanged.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {

@@ -6,6 +6,8 @@
 
 #include "check/diagnose.h"
 #include "check/forge.h"
+#include "check/tree_overlay.h"
+#include "check/whole.h"
 #include "scene/input_error.h"
 
 namespace raytree::check {
@@ -18,90 +20,10 @@ constexpr std::size_t few_causes = 20;           // that rounding alone may make
 
 constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
 
-Finding of_the_whole(std::string subject, std::string reason) {
-    Finding finding;
-    finding.problem = Problem::whole;
-    finding.subject = std::move(subject);
-    finding.reason = std::move(reason);
-    finding.error = 1;
-    return finding;
-}
-
-bool near(const Point& a, const Point& b) {
-    return largest_component(a - b) <= 1e-4 * std::max(1.0, largest_component(b));
-}
-
-bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * std::max(1.0, std::abs(b)); }
-
-bool same(const ImagePlane& a, const ImagePlane& b) {
-    return near(a.left, b.left) && near(a.right, b.right) && near(a.bottom, b.bottom) &&
-           near(a.top, b.top);
-}
-
-/// The window on the plane at distance 1, whichever way the camera gives it.
-ImagePlane window_of(const Camera& camera) {
-    if (const auto* plane = std::get_if<ImagePlane>(&camera.window)) {
-        return *plane;
-    }
-    const double x =
-        std::tan(std::get<HorizontalFov>(camera.window).degrees * Real<double>::pi / 360);
-    const double y = x * camera.height / camera.width;
-    return {-x, x, -y, y};
-}
-
-/// Whether both cameras send the same rays: `up` may have another length, or lean.
-bool same(const Camera& a, const Camera& b) {
-    const auto right = [](const Camera& camera) {
-        return model::unit(outer(camera.look_at - camera.eye, camera.up));
-    };
-    return near(a.eye, b.eye) && a.width == b.width && a.height == b.height &&
-           near(model::unit(a.look_at - a.eye), model::unit(b.look_at - b.eye)) &&
-           near(right(a), right(b)) && near(a.near, b.near) && same(window_of(a), window_of(b));
-}
-
 /// How colours are rounded to 8 bits is seen in pictures alone.
 Choices seen_in_trees(Choices choices) {
     std::erase_if(choices, [](const Convention* choice) { return choice->axis == "quantise"; });
     return choices;
-}
-
-/// A setting that the submission states, other than the scene's. What it leaves out is read as the
-/// default.
-std::string other_setting(const Settings& stated, const Settings& due) {
-    const Settings usual;
-    const auto differs = [](const auto& a, const auto& b, const auto& c) {
-        return a != b && a != c;
-    };
-    if (differs(stated.max_depth, due.max_depth, usual.max_depth)) {
-        return "max_depth";
-    }
-    if (differs(stated.specular_model, due.specular_model, usual.specular_model)) {
-        return "specular_model";
-    }
-    if (differs(stated.shadows, due.shadows, usual.shadows)) {
-        return "shadows";
-    }
-    if (differs(stated.pixel_sample, due.pixel_sample, usual.pixel_sample)) {
-        return "pixel_sample";
-    }
-    const bool reflects = stated.total_internal_reflection != due.total_internal_reflection &&
-                          stated.total_internal_reflection != usual.total_internal_reflection;
-    return reflects ? "total_internal_reflection" : "";
-}
-
-/// Whether a ray of this sort has the field at all.
-bool can_give(const TreeRay<double>& ray, Field field) {
-    const bool of_light = field >= Field::light && field <= Field::transmittance;
-    if (ray.shadow) {
-        return of_light || field == Field::origin || field == Field::direction ||
-               field == Field::diffuse || field == Field::specular;
-    }
-    const bool of_hit = (field >= Field::object && field <= Field::cos_incident) ||
-                        field == Field::ambient || field == Field::diffuse ||
-                        field == Field::specular;
-    const bool rare =
-        field == Field::eta || field == Field::sin2_transmitted || field == Field::termination;
-    return !of_light && !rare && (!of_hit || ray.hit);
 }
 
 }  // namespace
@@ -188,58 +110,6 @@ void Checker::look_for_conventions(const Submission& submission, const Choices& 
     }
 }
 
-/// False where there is nothing to compare with.
-bool Checker::check_whole(const Submission& submission, Report& report) const {
-    const Camera& camera = scene_.camera;
-    const RayTree<double>& tree = submission.tree;
-    if (tree.pixel_i >= camera.width || tree.pixel_j >= camera.height) {
-        report.findings.push_back(of_the_whole(
-            "pixel", "the pixel " + std::to_string(tree.pixel_i) + ',' +
-                         std::to_string(tree.pixel_j) + " lies outside the picture of " +
-                         std::to_string(camera.width) + " x " + std::to_string(camera.height)));
-        return false;
-    }
-    if (submission.has_camera && !same(tree.camera, camera)) {
-        report.findings.push_back(
-            of_the_whole("camera", "its camera is not that of the scene; is it another scene?"));
-    }
-    const std::string setting =
-        submission.has_settings ? other_setting(tree.settings, scene_.settings) : "";
-    if (!setting.empty()) {
-        report.findings.push_back(
-            of_the_whole("settings", "its " + setting + " is not that of the scene"));
-    }
-    return true;
-}
-
-void Checker::check_fields(const Submission& submission, Report& report) const {
-    for (std::size_t k = 0; k < field_count; ++k) {
-        const Field field = static_cast<Field>(k);
-        std::size_t missing = 0, first = 0, able = 0;
-        for (std::size_t ray = 0; ray < submission.tree.rays.size(); ++ray) {
-            if (can_give(submission.tree.rays[ray], field)) {
-                ++able;
-                first = missing == 0 && !submission.given[ray][k] ? ray : first;
-                missing += submission.given[ray][k] ? 0 : 1;
-            }
-        }
-        if (missing == 0) {
-            continue;
-        }
-        const std::string what =
-            std::string(word_of(field)) + " is not given by " +
-            (missing == able ? "any ray"
-                             : std::to_string(missing) + " of " + std::to_string(able) + " rays");
-        if (options_.required[k]) {
-            report.findings.push_back(of_the_whole(
-                std::string(word_of(field)),
-                what + ", first by ray " + submission.ids[first] + "; it is required"));
-        } else {
-            report.remarks.push_back(what);
-        }
-    }
-}
-
 void Checker::judge(const Submission& submission, const Rulebook& book, Report& report) const {
     const Truth truth = truth_at(book, submission.tree.pixel_i, submission.tree.pixel_j);
     ReplayOptions options;
@@ -293,6 +163,37 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
     }
 }
 
+/// By the profile that is asked for; else by the lecture's or, where it explains more, by the one
+/// that fits best.
+void Checker::judge_by_fitting(const Submission& submission, Report& report) const {
+    if (options_.profile) {
+        judge_by(profile_named(*options_.profile), submission, report);
+        return;
+    }
+    const Profile& lecture = profiles().front();
+    const Profile& best = best_profile(submission);
+    Report by_best = report;
+    judge_by(best, submission, by_best);
+    if (&best != &lecture && by_best.causes() > report.causes()) {
+        Report by_lecture = report;
+        judge_by(lecture, submission, by_lecture);
+        if (by_lecture.causes() <= by_best.causes()) {
+            by_best = std::move(by_lecture);
+        }
+    }
+    report = std::move(by_best);
+}
+
+void Checker::judge_by(const Profile& profile, const Submission& submission, Report& report) const {
+    report.profile = profile.name;
+    const Rulebook& book = books_.of(profile);
+    if (!report.profile_asked_for) {
+        report.conventions =
+            seen_in_trees(books_.differences(book.choices, books_.lecture().choices));
+    }
+    judge(submission, book, report);
+}
+
 Report Checker::check(const Submission& submission) const {
     Report report;
     report.file = submission.file;
@@ -301,20 +202,13 @@ Report Checker::check(const Submission& submission) const {
     report.remarks = submission.remarks;
     report.precision = submission.precision.name;
     report.verdict = Verdict::fail;
+    report.profile = options_.profile.value_or(std::string(profiles().front().name));
     report.profile_asked_for = options_.profile.has_value();
-    const Profile& profile =
-        options_.profile ? profile_named(*options_.profile) : best_profile(submission);
-    report.profile = profile.name;
-    if (!check_whole(submission, report)) {
+    if (!fits_scene(submission, scene_, report.findings)) {
         return report;
     }
-    check_fields(submission, report);
-    const Rulebook& book = books_.of(profile);
-    if (!report.profile_asked_for) {
-        report.conventions =
-            seen_in_trees(books_.differences(book.choices, books_.lecture().choices));
-    }
-    judge(submission, book, report);
+    look_for_missing_fields(submission, options_.required, report.findings, report.remarks);
+    judge_by_fitting(submission, report);
     if (report.compared == 0) {
         report.findings.push_back(
             of_the_whole("rays", "it gives no quantity that could be compared"));
@@ -351,6 +245,16 @@ Report Checker::check_text(const std::string& text, const std::string& name) con
     } catch (const std::exception& error) {
         return refused(name, error.what());
     }
+}
+
+std::string Checker::overlay(const std::string& text, const Report& report) const {
+    if (report.verdict == Verdict::unreadable || report.compared == 0) {
+        return "";
+    }
+    const Submission submission = parse_submission(text, report.file);
+    const Rulebook& book = books_.of(profile_named(report.profile));
+    const Truth truth = truth_at(book, submission.tree.pixel_i, submission.tree.pixel_j);
+    return write_tree_overlay(submission, *truth, report);
 }
 
 Report Checker::check_file(const std::filesystem::path& file, const std::string& name) const {

@@ -74,6 +74,9 @@ class Checker {
     /// Never throws: what cannot be read is reported so.
     Report check_file(const std::filesystem::path& file, const std::string& name) const;
     Report check_text(const std::string& text, const std::string& name) const;
+    /// The submission's tree drawn over the true one, as SVG; empty where there are not two. The
+    /// report is the one of this text.
+    std::string overlay(const std::string& text, const Report& report) const;
 
     /// The scene as the lecture has it.
     const Place& place() const { return books_.lecture().place; }
@@ -85,8 +88,8 @@ class Checker {
     using Truth = std::shared_ptr<const RayTree<double>>;
     Truth truth_at(const Rulebook& book, int i, int j) const;
     const Profile& best_profile(const Submission& submission) const;
-    bool check_whole(const Submission& submission, Report& report) const;
-    void check_fields(const Submission& submission, Report& report) const;
+    void judge_by_fitting(const Submission& submission, Report& report) const;
+    void judge_by(const Profile& profile, const Submission& submission, Report& report) const;
     void judge(const Submission& submission, const Rulebook& book, Report& report) const;
     bool explains_all(const Submission& submission, const Choices& choices) const;
     void look_for_conventions(const Submission& submission, const Choices& base,

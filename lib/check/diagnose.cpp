@@ -9,18 +9,13 @@
 namespace raytree::check {
 namespace {
 
-constexpr std::size_t rays_looked_at = 400;   // enough to tell mistakes apart
-constexpr std::size_t tried_with_others = 3;  // the best, in search of pairs
+constexpr std::size_t rays_looked_at = 400;    // enough to tell mistakes apart
+constexpr std::size_t tried_with_others = 3;   // the best, in search of pairs
+constexpr std::size_t most_causes_left = 500;  // by a mistake that is to be named
 constexpr std::size_t most_causes_of_a_pair = 200;
 constexpr std::size_t left_of_a_pair = 2;  // by rounding, at most
 
-/// What is wrong, for telling one difference from another.
-using Key = std::uint64_t;
-Key key_of(const Finding& finding) {
-    return (finding.ray * 4 + static_cast<Key>(finding.problem)) * 64 +
-           (finding.problem == Problem::differs ? place_of(finding.field)
-                                                : static_cast<Key>(finding.kind));
-}
+using Key = std::uint64_t;  // of a finding
 
 struct Candidate {
     std::vector<const MistakeRow*> rows;
@@ -51,6 +46,9 @@ class Search {
             }
         }
         all_ = std::max<std::size_t>(held_.size(), 1);
+        if (!is_rounded()) {
+            options_.give_up_at = first_;
+        }
     }
 
     bool any() const { return first_.has_value(); }
@@ -125,13 +123,14 @@ class Search {
 /// The fewest left first; of equals in the order of the catalogue.
 std::vector<Candidate> singles(const Search& search) {
     std::vector<Candidate> found;
+    const std::size_t enough = std::min(search.all(), most_causes_left);
     for (const MistakeRow& row : catalogue()) {
         std::optional<Candidate> best;
         for (const LawChange way : row.ways()) {
-            Candidate candidate = search.attempt({way}, search.all());
+            Candidate candidate = search.attempt({way}, enough);
             candidate.rows = {&row};
             candidate.way = way;
-            if (candidate.explains_first && candidate.left < search.all() &&
+            if (candidate.explains_first && candidate.left < enough &&
                 (!best || candidate.left < best->left)) {
                 best = std::move(candidate);
             }
@@ -226,9 +225,17 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
         const std::vector<Candidate> two =
             search.all() <= most_causes_of_a_pair ? pairs(search, alone) : std::vector<Candidate>();
         if (!two.empty()) {
+            const MistakeRow& second = *two.front().rows.back();
             for (const MistakeRow* row : two.front().rows) {
                 report.mistakes.push_back(named(*row));
                 report.mistakes.back().rays = explained(search, two.front());
+            }
+            for (const Candidate& other : alone) {
+                const MistakeRow* const row = other.rows.front();
+                if (other.left == fewest && row != two.front().rows.front() && row != &second &&
+                    pair_of(search, other.way, second)) {
+                    report.mistakes.front().ties.emplace_back(row->id);
+                }
             }
             for (std::size_t k = 1; k < two.size(); ++k) {
                 report.mistakes.back().ties.emplace_back(two[k].rows.back()->id);

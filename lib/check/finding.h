@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -39,5 +40,13 @@ struct Finding {
     /// inputs. None for a cause.
     std::optional<std::size_t> follows_from;
 };
+
+/// What is wrong, for telling one difference from another.
+inline std::uint64_t key_of(const Finding& finding) {
+    const auto what = finding.problem == Problem::differs
+                          ? static_cast<std::uint64_t>(place_of(finding.field))
+                          : static_cast<std::uint64_t>(finding.kind);
+    return (finding.ray * 4 + static_cast<std::uint64_t>(finding.problem)) * 64 + what;
+}
 
 }  // namespace raytree::check

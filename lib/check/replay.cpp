@@ -8,8 +8,6 @@
 namespace raytree::check {
 namespace {
 
-constexpr double largest_offset = 2e-3;  // of the distance from which a point is computed
-
 double brightness(const Place& place) {
     double most = largest_component(place.background);
     for (const auto& light : place.lights) {
@@ -95,6 +93,9 @@ void Replay::count(std::size_t ray, Field field) {
 
 Replay::Taint Replay::report(Finding finding) {
     causes_ += finding.follows_from ? 0 : 1;
+    if (!finding.follows_from && options_.give_up_at == key_of(finding)) {
+        causes_ = std::max(causes_, options_.enough);
+    }
     if (options_.tally && !finding.follows_from) {
         const Tally::Key key{finding.field, finding.kind, finding.level};
         if (finding.problem == Problem::missing) {

@@ -40,8 +40,9 @@ struct Tally {
 struct ReplayOptions {
     double rtol = 1e-5;
     const Slacks* slacks = nullptr;
-    const RayTree<double>* truth = nullptr;  ///< tells what follows from what
-    std::size_t enough = 1000;               ///< causes after which to stop
+    const RayTree<double>* truth = nullptr;     ///< tells what follows from what
+    std::size_t enough = 1000;                  ///< causes after which to stop
+    std::optional<std::uint64_t> give_up_at{};  ///< the cause (its key) at which to stop
     std::size_t most_rays = ~std::size_t{0};
     double noise = 0;  ///< how far to move every number, in units of the submission's precision
     unsigned seed = 0;
@@ -103,6 +104,8 @@ class Replay {
     double rounding(double size) const;
     bool set_off(At at, const Step& from, RayKind kind, const Vec& direction, Vec& origin);
     bool aims_from(At at, const Vec& origin, const Shine& shine);
+    bool is_in_between(const Blocker<double>& given, const Step& step, const Shine& shine) const;
+    void see_blocker(At at, const Step& step, Shine& shine, const Passage& passage, Taint& taint);
     Taint shadow_ray(At at, const Step& step, Shine& shine, Taint taint);
     struct Grown {
         Terms::Branch branch;

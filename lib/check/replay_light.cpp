@@ -93,6 +93,45 @@ bool Replay::aims_from(At at, const Vec& origin, const Shine& shine) {
     return aims && reaches;
 }
 
+/// Whether what the submission names stands between the hit and the light: which of several
+/// blockers stops the light is of no consequence.
+bool Replay::is_in_between(const Blocker<double>& given, const Step& step,
+                           const Shine& shine) const {
+    NoTestCount uncounted;
+    const Ray<double> ray{step.point, shine.towards, model::origin_error(step.point)};
+    const double off = largest_offset * std::max(1.0, reach(step));
+    const auto hits = place_.shapes.all(ray, step.surface, {0, shine.distance}, uncounted);
+    return std::ranges::any_of(hits, [&](const Hit<double>& hit) {
+        const bool named = given.object.empty() || names_.means(given.object, hit.primitive);
+        return named && (given.t == 0 || abs(hit.t - given.t) <= off);  // 0: not given
+    });
+}
+
+void Replay::see_blocker(At at, const Step& step, Shine& shine, const Passage& passage,
+                         Taint& taint) {
+    const auto code = [](PrimitiveId id) {
+        return id == no_primitive ? std::int64_t{-1} : static_cast<std::int64_t>(id);
+    };
+    const auto& given = submission_.tree.rays[at.ray].shadow->blocked_by;
+    const bool blocked = passage.blocker != no_primitive;
+    const bool agreed = given && blocked && names_.means(given->object, passage.blocker) &&
+                        abs(given->t - passage.t) <= largest_offset * std::max(1.0, reach(step));
+    const auto found = given ? names_.find(given->object) : std::nullopt;
+    const bool tie =
+        may_be(key_of(at.ray, Field::blocked_by), found ? code(*found) : std::int64_t{-1});
+    if (agreed || tie || (!given && !blocked) ||
+        (given && blocked && is_in_between(*given, step, shine))) {
+        count(at.ray, Field::blocked_by);
+    } else {
+        decide(at, Field::blocked_by,
+               {code(passage.blocker), blocked ? names_.of(passage.blocker) : ""},
+               {given ? -3 : -1, given ? given->object : ""}, taint);
+    }
+    if (given.has_value() != blocked) {
+        shine.transmittance = Spectrum(given ? 0.0 : 1.0);
+    }
+}
+
 /// The ray towards the light as the submission has it.
 Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint taint) {
     Vec origin = laws_.start(place_, step, RayKind::shadow);
@@ -117,23 +156,7 @@ Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint ta
     note(key_of(at.ray, Field::blocked_by), code(passage.blocker));
     shine.transmittance = passage.transmittance;
     if (submission_.gives(at.ray, Field::blocked_by)) {
-        const auto& given = submission_.tree.rays[at.ray].shadow->blocked_by;
-        const bool blocked = passage.blocker != no_primitive;
-        // Which of several blockers stops the light is of no consequence.
-        const bool same = given.has_value() == blocked;
-        const auto found = given ? names_.find(given->object) : std::nullopt;
-        const bool stopped = given.has_value();
-        if (same) {
-            count(at.ray, Field::blocked_by);
-        } else if (!may_be(key_of(at.ray, Field::blocked_by),
-                           found ? code(*found) : std::int64_t{-1})) {
-            decide(at, Field::blocked_by,
-                   {code(passage.blocker), blocked ? names_.of(passage.blocker) : ""},
-                   {stopped ? -3 : -1, stopped ? given->object : ""}, taint);
-        }
-        if (!same) {
-            shine.transmittance = Spectrum(stopped ? 0.0 : 1.0);
-        }
+        see_blocker(at, step, shine, passage, taint);
     }
     if (submission_.gives(at.ray, Field::transmittance)) {
         see(at, Field::transmittance, shine.transmittance, 1, taint);

@@ -7,6 +7,9 @@
 /// What the files of the replay have in common.
 namespace raytree::check {
 
+/// How far off the surface programs start rays, of the distance from which a point is computed.
+constexpr double largest_offset = 2e-3;
+
 constexpr std::uint64_t keys_per_ray = 32;
 constexpr std::uint64_t most_lights_told_apart = 4;
 

@@ -24,7 +24,7 @@ std::size_t Replay::shadow_child(std::size_t parent, std::size_t light) const {
     for (const std::size_t ray : submission_.children[parent]) {
         const auto& shadow = submission_.tree.rays[ray].shadow;
         if (!shadow) {
-            continue;
+            break;  // shadow rays come first, and a hostile tree has many others
         }
         if (shadow->light == name) {
             return ray;
@@ -48,7 +48,10 @@ void Replay::report_second_children(At at, Taint taint) {
     for (const RayKind kind : {RayKind::reflected, RayKind::refracted}) {
         bool first = true;
         for (const std::size_t ray : submission_.children[at.ray]) {
-            if (submission_.tree.rays[ray].kind != kind || full()) {
+            if (full()) {
+                return;
+            }
+            if (submission_.tree.rays[ray].kind != kind) {
                 continue;
             }
             if (!first) {
@@ -168,7 +171,8 @@ Slacks slacks_of(const Place& place, const Names& names, const Laws& laws,
     Slacks slacks;
     const bool large = std::min(submission.tree.rays.size(), options.most_rays) > large_tree;
     for (int k = 0; k < (large ? trials_of_a_large_tree : trials); ++k) {
-        quiet.noise = 4;
+        // What is rounded is off by the last digit alone; arithmetic in floats adds up.
+        quiet.noise = submission.precision.name == "rounded" ? 2 : 4;
         quiet.seed = static_cast<unsigned>(k + 1);
         Replay trial(place, names, laws, submission, quiet);
         trial.run();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tree/explain.h"
 
@@ -52,6 +53,26 @@ Colour8 map_colour(double value, Measure measure, const MapRange& range) {
     }
     const double extent = range.most - range.least;
     return scale_colour(extent > 0 ? (value - range.least) / extent : 0);
+}
+
+ErrorRange error_range(const std::vector<double>& errors) {
+    ErrorRange range;
+    for (const double error : errors) {
+        range.exact += error == 0 ? 1 : 0;
+        range.most = std::max(range.most, error);
+        if (error > 0 && (range.least == 0 || error < range.least)) {
+            range.least = error;
+        }
+    }
+    return range;
+}
+
+Colour8 error_colour(double error, const ErrorRange& range) {
+    if (error == 0) {
+        return {0, 0, 0};
+    }
+    const double extent = std::log(range.most / range.least);
+    return scale_colour(extent > 0 ? std::log(error / range.least) / extent : 0);
 }
 
 std::vector<ReasonPixels> reasons_in(const std::vector<double>& map) {

@@ -32,6 +32,18 @@ MapRange map_range(const std::vector<double>& values, Measure measure);
 /// `value` is one of those that the range is of.
 Colour8 map_colour(double value, Measure measure, const MapRange& range);
 
+/// What a map of errors (trace/error_map.h) has: its colours are of the errors' logarithms.
+struct ErrorRange {
+    double least = 0;  ///< of those that are not 0; 0 where all are
+    double most = 0;
+    std::size_t exact = 0;  ///< pixels of no error at all
+};
+
+ErrorRange error_range(const std::vector<double>& errors);
+
+/// Black for no error at all, dark violet for the least of the others, yellow for the largest.
+Colour8 error_colour(double error, const ErrorRange& range);
+
 struct ReasonPixels {
     Reason reason;
     std::size_t pixels;

@@ -78,6 +78,8 @@ struct Show {
     std::optional<Panel> panel;      ///< in front, and highlighted
     std::optional<Formula> formula;  ///< highlighted in the details
     std::vector<RayKind> hide;       ///< kinds of rays left out of the 3D view
+    bool hide_angles = false;        ///< those at the selected hit, with its normal
+    bool hide_unsent = false;        ///< the rays that were not sent
     bool eye_space = false;
     bool z_buffer = false;
     std::optional<ShowerShown> shower;

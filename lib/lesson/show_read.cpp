@@ -120,7 +120,7 @@ class ShowReader {
         }
         const JsonPlace place = reader_.place_of("hide");
         if (!list->is_array()) {
-            report_.add(place, "found " + shown(*list) + ", must be a list of kinds of rays");
+            report_.add(place, "found " + shown(*list) + ", must be a list of words");
             return;
         }
         for (std::size_t k = 0; k < list->size(); ++k) {
@@ -129,11 +129,15 @@ class ShowReader {
                                                : std::optional<RayKind>();
             if (kind) {
                 show_.hide.push_back(*kind);
+            } else if (word == "angles") {
+                show_.hide_angles = true;
+            } else if (word == "unsent") {
+                show_.hide_unsent = true;
             } else {
                 report_.add(place.element(k),
                             "found " + shown(word) +
-                                ", must be \"primary\", \"reflected\", \"refracted\" or "
-                                "\"shadow\"");
+                                ", must be \"primary\", \"reflected\", \"refracted\", "
+                                "\"shadow\", \"angles\" or \"unsent\"");
             }
         }
     }

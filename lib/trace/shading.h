@@ -5,7 +5,8 @@
 #include "scene/scene.h"
 #include "trace/world.h"
 
-/// The formulas of illumination at one hit (model, section 3), each a function of its own.
+/// The formulas of illumination at one hit (model, section 3), each a function of its own. They are
+/// made part of the tracer that asks for them, so that they have its instruction set.
 namespace raytree {
 
 /// What a light does at a point, before anything in between is asked.
@@ -17,7 +18,8 @@ template <class T> struct Illumination {
 };
 
 template <class T>
-Illumination<T> illuminate(const WorldLight<T>& light, const Vec3<T>& point, const Vec3<T>& n) {
+[[gnu::always_inline]] inline Illumination<T> illuminate(const WorldLight<T>& light,
+                                                         const Vec3<T>& point, const Vec3<T>& n) {
     Illumination<T> result;
     if (light.directional) {
         result.towards = light.towards;
@@ -39,8 +41,10 @@ template <class T> Vec3<T> mirrored(const Vec3<T>& v, const Vec3<T>& n) {
 }
 
 /// `h` of the specular term: R . V (Phong, 1975) or n . H (Blinn, 1977), at least 0.
-template <class T> T specular_cosine(SpecularModel model, const Vec3<T>& n,
-                                     const Vec3<T>& towards_light, const Vec3<T>& towards_viewer) {
+template <class T> [[gnu::always_inline]] inline T specular_cosine(SpecularModel model,
+                                                                   const Vec3<T>& n,
+                                                                   const Vec3<T>& towards_light,
+                                                                   const Vec3<T>& towards_viewer) {
     if (model == SpecularModel::phong) {
         return max_of(T(0), inner(mirrored(towards_light, n), towards_viewer));
     }
@@ -51,10 +55,10 @@ template <class T> T specular_cosine(SpecularModel model, const Vec3<T>& n,
 template <class T> struct LocalLight { Rgb<T> diffuse, specular; };
 
 /// The two terms of a light in front of the surface of which `transmittance` arrives.
-template <class T> LocalLight<T> local_light(SpecularModel model, const WorldMaterial<T>& material,
-                                             const WorldLight<T>& light, const Illumination<T>& at,
-                                             const Vec3<T>& n, const Vec3<T>& viewing,
-                                             const Rgb<T>& transmittance) {
+template <class T> [[gnu::always_inline]] inline LocalLight<T> local_light(
+    SpecularModel model, const WorldMaterial<T>& material, const WorldLight<T>& light,
+    const Illumination<T>& at, const Vec3<T>& n, const Vec3<T>& viewing,
+    const Rgb<T>& transmittance) {
     const T g = light.directional ? T(1) : light.attenuation.at(at.distance);
     const Rgb<T> arriving = g * (light.intensity * transmittance);
     const T h = specular_cosine(model, n, at.towards, Vec3<T>(-viewing));
@@ -62,7 +66,8 @@ template <class T> LocalLight<T> local_light(SpecularModel model, const WorldMat
             pow(h, material.shininess) * (material.specular * arriving)};
 }
 
-template <class T> UnitVec3<T> reflected_direction(const Vec3<T>& d, const Vec3<T>& n) {
+template <class T>
+[[gnu::always_inline]] inline UnitVec3<T> reflected_direction(const Vec3<T>& d, const Vec3<T>& n) {
     return UnitVec3<T>::of(along(d, -2 * inner(d, n), n));
 }
 
@@ -81,7 +86,8 @@ template <class T> struct Snell {
 };
 
 /// sin^2 of the incident angle is |n x d|^2, which keeps its digits near normal incidence.
-template <class T> Snell<T> snell(T eta1, T eta2, const Vec3<T>& d, const Vec3<T>& n) {
+template <class T>
+[[gnu::always_inline]] inline Snell<T> snell(T eta1, T eta2, const Vec3<T>& d, const Vec3<T>& n) {
     const Vec3<T> across = outer(n, d);
     const T sin2 = inner(across, across);
     const T eta = eta1 / eta2;
@@ -89,7 +95,8 @@ template <class T> Snell<T> snell(T eta1, T eta2, const Vec3<T>& d, const Vec3<T
 }
 
 template <class T>
-UnitVec3<T> refracted_direction(const Snell<T>& snell, const Vec3<T>& d, const Vec3<T>& n) {
+[[gnu::always_inline]] inline UnitVec3<T> refracted_direction(const Snell<T>& snell,
+                                                              const Vec3<T>& d, const Vec3<T>& n) {
     const T eta = snell.eta1 / snell.eta2;
     const T cos_incident = -inner(d, n);
     return UnitVec3<T>::of(

@@ -162,7 +162,8 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
     void send_in_vain(const Node& node, std::size_t light, const Illumination<T>& at);
     Rgb<T> transmitted(const Query<T>& query, std::size_t light, std::optional<Hit<T>>& blocker);
-    bool hidden(const Query<T>& query, std::size_t light);
+    // Flattened, so that it has the instruction set of the tracer.
+    [[gnu::flatten]] bool hidden(const Query<T>& query, std::size_t light);
     std::optional<Reason> why_not(const Node& node, RayKind kind, const Rgb<T>& weight) const;
     std::optional<Reason> grow(Node& node, RayKind kind);
 

@@ -5,57 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
-#include "scene/planarity.h"
+#include "tree/shape_rounding.h"
 
 namespace raytree {
 namespace {
 
 using Vec = Vec3<double>;
-
-/// The vertices of a planar primitive, in its own space.
-std::vector<Vec> vertices_of(const Object& object, const Primitive& primitive) {
-    if (const auto* polygon = std::get_if<Polygon>(&object.shape)) {
-        return polygon->vertices;
-    }
-    const auto& mesh = std::get<Mesh>(object.shape);
-    std::vector<Vec> result;
-    for (const Mesh::Corner& corner : mesh.triangles[static_cast<std::size_t>(primitive.part)]) {
-        result.push_back(mesh.vertices[static_cast<std::size_t>(corner.vertex)]);
-    }
-    return result;
-}
-
-/// How far the computed unit normal of a planar shape may be off, in units of roundoff: the
-/// rounded edges, their cross products and their sum, in lengths of the area that is left.
-double normal_condition(const std::vector<Vec>& vertices) {
-    double edges = 0;
-    Vec area(0, 0, 0);
-    for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
-        const Vec a = vertices[k] - vertices[0], b = vertices[k + 1] - vertices[0];
-        edges += length(a) * length(b);
-        area += outer(a, b);
-    }
-    const double left = length(area);
-    return left > 0 ? 4 + 8 * edges / left : 1e300;
-}
-
-/// The factor by which a transform may enlarge errors: its condition number, by Frobenius norms.
-double condition_of(const Object& object) {
-    if (!object.transform) {
-        return 1;
-    }
-    const Affine& m = *object.transform;
-    const Vec columns[3] = {
-        {m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}};
-    double forward = 0, back = 0;
-    const double determinant = inner(columns[0], outer(columns[1], columns[2]));
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Vec row = outer(columns[(k + 1) % 3], columns[(k + 2) % 3]) / determinant;
-        forward += inner(columns[k], columns[k]);
-        back += inner(row, row);
-    }
-    return 8 * std::sqrt(forward * back);
-}
 
 /// Eight directions across `axis`.
 std::array<Vec, 8> rim(const Vec& axis) {
@@ -66,8 +21,8 @@ std::array<Vec, 8> rim(const Vec& axis) {
     return {x, -x, y, -y, s * (x + y), s * (x - y), s * (y - x), -s * (x + y)};
 }
 
-double reach_of(const Box& box) {
-    return std::max(largest_component(box.min), largest_component(box.max));
+template <class T> Interval<T> interval_cast(const Interval<Quad>& interval) {
+    return {static_cast<T>(interval.from), static_cast<T>(interval.to)};
 }
 
 }  // namespace
@@ -76,32 +31,6 @@ std::string ulps_text(double ulps) {
     std::array<char, 32> text;
     std::snprintf(text.data(), text.size(), "%.2g ulp", std::max(1.0, std::ceil(ulps)));
     return text.data();
-}
-
-ShapeRounding DoubtFinder::rounding_of(PrimitiveId id, const Vec& origin, double t) const {
-    const ShapeSet<Quad>& shapes = reference_.shapes.shapes();
-    const Primitive& primitive = shapes[id];
-    const Object& object = reference_.scene().objects[primitive.object];
-    const Box box = shapes.bounds(id);
-    const double extent = length(box.size());
-    const double away = length<double>(origin - box.center()) + extent;
-    const double reach = reach_of(box);
-    const double condition = condition_of(object);
-    const bool transformed = object.transform.has_value();
-    const double seen_from = transformed ? away + reach + length(origin) : away;
-    ShapeRounding result;
-    const bool planar =
-        primitive.kind == ShapeKind::polygon || primitive.kind == ShapeKind::triangle;
-    if (planar) {
-        result.normal = u_ * condition * normal_condition(vertices_of(object, primitive));
-        result.distance = condition * u_ * (8 * seen_from + 4 * reach) + result.normal * extent;
-    } else {
-        const bool cone = primitive.kind == ShapeKind::cone;
-        result.normal = u_ * condition * 16;
-        result.distance = condition * u_ * ((cone ? 64 : 16) * seen_from + (cone ? 16 : 0) * reach);
-    }
-    result.point = condition * u_ * (4 * reach + 4 * extent + 2 * seen_from + 2 * t);
-    return result;
 }
 
 double DoubtFinder::t_error(PrimitiveId id, const TreeRay<double>& ray, double t,
@@ -113,12 +42,16 @@ double DoubtFinder::t_error(PrimitiveId id, const TreeRay<double>& ray, double t
     const double moved = total(noise, [&](const Noise& source) {
         return std::abs(inner(n, source.place + t * source.way));
     });
-    return 4 * u_ * t + 2 * (moved + rounding_of(id, ray.origin, t).distance) / cosine;
+    return 4 * u_ * t +
+           2 * (moved + rounding_of(reference_, id, ray.origin, t, u_).distance) / cosine;
 }
 
 std::string DoubtFinder::name_of(std::optional<PrimitiveId> id) const {
     return id ? primitive_name(reference_.scene(), reference_.shapes.shapes()[*id]) : "nothing";
 }
+
+template <> const World<double>& DoubtFinder::world<double>() const { return world_; }
+template <> const World<Quad>& DoubtFinder::world<Quad>() const { return reference_; }
 
 /// Traces the rays around one, farther and farther inwards until they agree with it; `meets(ray)`
 /// says in a word what such a ray meets, and the doubt says where the first that disagrees is.
@@ -132,16 +65,13 @@ template <class Meets> void DoubtFinder::around(const TreeRay<double>& ray, Goin
     const double tilt =
         total(noise, [&](const Noise& n) { return length(across(n.way, d)); }) + 4 * u_;
     const double ulp = 2 * u_ * std::max(largest_component(ray.origin), reach);
-    const auto differs = [&](double share) -> std::optional<std::string> {
+    const auto differs = [&]<class T>(double share, T) -> std::optional<std::string> {
         const std::array<Vec, 8> sides = rim(d);
         for (std::size_t k = 0; k <= sides.size(); ++k) {
-            const Vec side = k < sides.size() ? sides[k] : Vec(0, 0, 0);
-            const Vec3<Quad> origin =
-                vector_cast<Quad>(ray.origin) + Quad(share * off) * vector_cast<Quad>(side);
-            const Vec3<Quad> way =
-                vector_cast<Quad>(d) + Quad(share * tilt) * vector_cast<Quad>(side);
-            const Ray<Quad> probe{origin, UnitVec3<Quad>::of(way).vec(), Quad(0), going};
-            const std::string met = meets(probe);
+            const Vec3<T> side = vector_cast<T>(k < sides.size() ? sides[k] : Vec(0, 0, 0));
+            const Vec3<T> origin = vector_cast<T>(ray.origin) + T(share * off) * side;
+            const Vec3<T> way = vector_cast<T>(d) + T(share * tilt) * side;
+            const std::string met = meets(Ray<T>{origin, UnitVec3<T>::of(way).vec(), T(0), going});
             if (met != expected) {
                 return met;
             }
@@ -149,12 +79,15 @@ template <class Meets> void DoubtFinder::around(const TreeRay<double>& ray, Goin
         return std::nullopt;
     };
     double share = 2;  // so that no side of the rim is missed between two of the eight
-    std::optional<std::string> other = differs(share);
+    if (!differs(2 * share, double())) {
+        return;  // double itself is uncertain by less than lies between there and here
+    }
+    std::optional<std::string> other = differs(share, Quad());
     if (!other) {
         return;
     }
     for (int k = 0; k < 12; ++k) {
-        const auto nearer = differs(share / 2);
+        const auto nearer = differs(share / 2, Quad());
         if (!nearer) {
             break;
         }
@@ -186,8 +119,9 @@ void DoubtFinder::carrying_ray(const TreeRay<double>& ray, const std::optional<L
     const double reach = ray.hit ? ray.hit->t : largest_component(ray.origin);
     around(
         ray, going, reach, noise, name_of(met),
-        [&](const Ray<Quad>& probe) {
-            const auto hit = reference_.shapes.closest(probe, leaving, interval, count);
+        [&]<class T>(const Ray<T>& probe) {
+            const auto hit =
+                world<T>().shapes.closest(probe, leaving, interval_cast<T>(interval), count);
             return name_of(hit ? std::optional(hit->primitive) : std::nullopt);
         },
         doubts);
@@ -215,16 +149,18 @@ void DoubtFinder::shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bo
     if (mode == ShadowMode::opaque) {
         around(
             ray, going, reach, noise, name_of(blocker),
-            [&](const Ray<Quad>& probe) {
-                const auto hit = reference_.shapes.closest(probe, leaving, interval, count);
+            [&]<class T>(const Ray<T>& probe) {
+                const auto hit =
+                    world<T>().shapes.closest(probe, leaving, interval_cast<T>(interval), count);
                 return name_of(hit ? std::optional(hit->primitive) : std::nullopt);
             },
             doubts);
         return;
     }
-    const auto crossed = [&](const Ray<Quad>& probe) {
+    const auto crossed = [&]<class T>(const Ray<T>& probe) {
         std::string names;
-        for (const Hit<Quad>& hit : reference_.shapes.all(probe, leaving, interval, count)) {
+        for (const Hit<T>& hit :
+             world<T>().shapes.all(probe, leaving, interval_cast<T>(interval), count)) {
             names += (names.empty() ? "" : ", ") + name_of(hit.primitive);
         }
         return names.empty() ? std::string("nothing") : names;

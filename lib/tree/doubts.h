@@ -13,13 +13,6 @@ namespace raytree {
 /// "3 ulp", "1.2e+04 ulp"
 std::string ulps_text(double ulps);
 
-/// What rounding does at a hit of a shape, the ray taken as exact.
-struct ShapeRounding {
-    double distance = 0;  ///< from the origin to the surface, measured along the normal
-    double point = 0;     ///< of the hit point, once it is put back on the surface
-    double normal = 0;
-};
-
 /// The surface that a ray leaves, from its front or its back.
 struct LeftSurface {
     PrimitiveId primitive = no_primitive;
@@ -28,10 +21,8 @@ struct LeftSurface {
 
 class DoubtFinder {
   public:
-    DoubtFinder(const World<Quad>& reference, double unit_roundoff)
-        : reference_(reference), u_(unit_roundoff) {}
-
-    ShapeRounding rounding_of(PrimitiveId id, const Vec3<double>& origin, double t) const;
+    DoubtFinder(const World<double>& world, const World<Quad>& reference, double unit_roundoff)
+        : world_(world), reference_(reference), u_(unit_roundoff) {}
 
     /// Bound of the error of a root of the shape, for a ray of this noise.
     double t_error(PrimitiveId id, const TreeRay<double>& ray, double t,
@@ -56,8 +47,10 @@ class DoubtFinder {
     template <class Meets> void around(const TreeRay<double>& ray, Going going, double reach,
                                        const NoiseList& noise, const std::string& expected,
                                        Meets&& meets, std::vector<Doubt>& doubts) const;
+    template <class T> const World<T>& world() const;
     std::string name_of(std::optional<PrimitiveId> id) const;
 
+    const World<double>& world_;
     const World<Quad>& reference_;
     double u_;
 };

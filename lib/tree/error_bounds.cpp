@@ -8,6 +8,7 @@
 #include "trace/shading.h"
 #include "tree/doubts.h"
 #include "tree/ray_noise.h"
+#include "tree/shape_rounding.h"
 
 namespace raytree {
 namespace {
@@ -44,7 +45,12 @@ class Pass {
   public:
     Pass(const World<double>& world, const World<Quad>& reference, const RayTree<double>& tree,
          double u)
-        : world_(world), tree_(tree), u_(u), bounds_(tree.rays.size()), doubts_(reference, u) {
+        : world_(world),
+          reference_(reference),
+          tree_(tree),
+          u_(u),
+          bounds_(tree.rays.size()),
+          doubts_(world, reference, u) {
         const ShapeSet<double>& shapes = world.shapes.shapes();
         for (std::size_t k = 0; k < shapes.size(); ++k) {
             const auto id = static_cast<PrimitiveId>(k);
@@ -149,7 +155,7 @@ class Pass {
         const Vec n = own.geometric_normal;
         const double speed = inner(n, ray.direction);
         const double cosine = std::max(std::abs(speed), 4 * u_);
-        const ShapeRounding rounding = doubts_.rounding_of(id, ray.origin, hit.t);
+        const ShapeRounding rounding = rounding_of(reference_, id, ray.origin, hit.t, u_);
         const Bend bend = bend_at(id, line, hit.t, n);
         const double turned = hit.side == Side::front ? 1 : -1;
 
@@ -417,6 +423,7 @@ class Pass {
     }
 
     const World<double>& world_;
+    const World<Quad>& reference_;
     const RayTree<double>& tree_;
     double u_;
     std::vector<RayBounds> bounds_;

@@ -45,9 +45,10 @@ struct RayBounds {
 };
 
 /// The bounds of each ray of `tree`, by id. The tree was recorded of `world`'s scene in an
-/// arithmetic of this unit roundoff. What could have gone either way is found by tracing, in the
-/// reference arithmetic, rays around each recorded one as far from it as it is uncertain: where one
-/// of them meets something else, the ray is undecided.
+/// arithmetic of this unit roundoff. What could have gone either way is found by tracing rays
+/// around each recorded one, as far from it as it is uncertain, in the reference arithmetic: where
+/// one of them meets something else, the ray is undecided. Where all those twice as far out meet
+/// the same in double, that is not asked.
 std::vector<RayBounds> error_bounds(const World<double>& world, const World<Quad>& reference,
                                     const RayTree<double>& tree, double unit_roundoff);
 

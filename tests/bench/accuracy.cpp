@@ -163,7 +163,7 @@ void mark_front(std::vector<WorkPoint>& points) {
         p.on_front = std::ranges::none_of(points, [&](const WorkPoint& q) {
             const double error = q.intensity.rms(), own = p.intensity.rms();
             return (q.seconds < 0.95 * p.seconds && error <= own * (1 + 1e-9)) ||
-                   (q.seconds <= p.seconds && error < 0.95 * own);
+                   (q.seconds < 1.05 * p.seconds && error < 0.95 * own);
         });
     }
 }
@@ -325,7 +325,7 @@ class Study {
         }
         const WorkPoint* better = nullptr;  // the most exact of those that take no longer
         for (const WorkPoint& p : points_) {
-            if (&p != &*own && p.seconds <= own->seconds &&
+            if (&p != &*own && p.seconds < 1.05 * own->seconds &&
                 p.intensity.rms() <= own->intensity.rms() * (1 + 1e-9) &&
                 (!better || p.intensity.rms() < better->intensity.rms())) {
                 better = &p;

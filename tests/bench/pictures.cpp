@@ -5,10 +5,10 @@
 #include <regex>
 
 #include "formats/output_file.h"
-#include "formats/scene_file.h"
 #include "support/povray.h"
 #include "support/process.h"
 #include "support/report.h"
+#include "support/scene_files.h"
 #include "support/standard.h"
 #include "trace/render.h"
 
@@ -55,10 +55,10 @@ double median_or_nothing(const std::vector<double>& values) {
 }
 
 /// Our whole process and POV-Ray's tracing in turn, then one thread and two.
-Medians measure(const Options& options, const std::string& name, const Scene& scene) {
+Medians measure(const Options& options, const Scene& scene) {
     const TemporaryFolder folder;
-    const std::string ours = folder.file(name + ".json"), theirs = folder.file(name + ".pov");
-    save_scene(scene, ours);
+    const std::string ours = write_scene_files(scene, folder);
+    const std::string theirs = folder.file("scene.pov");
     write_output(theirs, povray_text(scene));
     const bool has_povray = on_path("povray");
     const World<double> world(scene);
@@ -110,7 +110,7 @@ void body(const Options& options) {
         if (options.quick) {
             scene.camera.width = scene.camera.height = 128;
         }
-        const Medians m = measure(options, name, scene);
+        const Medians m = measure(options, scene);
         const double ours = median_or_nothing(m.process_wall);
         const double theirs = median_or_nothing(m.pov_wall);
         report.row({name,

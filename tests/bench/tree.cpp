@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "formats/output_file.h"
-#include "formats/scene_file.h"
 #include "support/generate.h"
 #include "support/process.h"
 #include "support/report.h"
+#include "support/scene_files.h"
 #include "support/standard.h"
 #include "tree/record.h"
 
@@ -79,35 +77,10 @@ void measure(const Options& options, Report& report, const std::string& name, co
                 {speedup(builds[0], builds[1]), 1}});
 }
 
-/// A mesh and the scene around it as files, as a user has them.
-std::string write_files(Scene scene, const TemporaryFolder& folder) {
-    for (Object& object : scene.objects) {
-        auto* const mesh = std::get_if<Mesh>(&object.shape);
-        if (!mesh) {
-            continue;
-        }
-        std::string text;
-        char line[96];
-        for (const Point& v : mesh->vertices) {
-            std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", v.x, v.y, v.z);
-            text += line;
-        }
-        for (const Mesh::Triangle& t : mesh->triangles) {
-            std::snprintf(line, sizeof line, "f %d %d %d\n", t[0].vertex + 1, t[1].vertex + 1,
-                          t[2].vertex + 1);
-            text += line;
-        }
-        write_output(folder.file("mesh.obj"), text);
-        mesh->file = "mesh.obj";
-    }
-    save_scene(scene, folder.file("scene.json"));
-    return folder.file("scene.json");
-}
-
 void measure_file(const Options& options, Report& report, const std::string& name,
                   const Scene& scene) {
     const TemporaryFolder folder;
-    const std::string file = write_files(scene, folder);
+    const std::string file = write_scene_files(scene, folder);
     const Pixel middle = pixels_of(scene.camera)[0];
     std::vector<double> wall, processor;
     for (int round = -1; round < options.rounds; ++round) {

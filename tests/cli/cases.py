@@ -102,6 +102,11 @@ COMMANDS = [
      0, NONE, r"µs.*clamped|µs", "m.png"),
     ("render map ended", "render scene.json -o m.png --map ended",
      0, NONE, r"#56B4E9 is no_intersection", "m.png"),
+    ("render map error", "render scene.json -o m.png --map error",
+     0, NONE, r"from the reference arithmetic(.|\n)*dark violet is .*e-\d+, yellow .*logarithmic"
+     r"(.|\n)*black is no difference", "m.png"),
+    ("map of errors with counts", "render scene.json -o m.png --map error --counts c.json",
+     2, NONE, "--counts goes with the other maps"),
     ("render raw map", "render scene.json -o m.pfm --map ended",
      0, NONE, r"8 is no_intersection", "m.pfm"),
     ("render raw map of levels", "render scene.json -o m.pfm --map levels",

@@ -5,6 +5,7 @@ import json
 import sys
 import tarfile
 import time
+import xml.dom.minidom
 import zipfile
 from pathlib import Path
 
@@ -173,6 +174,25 @@ def rendered(bench):
                  r"unreadable", "")
 
 
+def drawings(bench):
+    """Each tree over the true one, with names that lead nowhere else."""
+    with zipfile.ZipFile(bench.folder / "odd.zip", "w") as archive:
+        archive.writestr("a b<&>\".json", (bench.folder / "dark.json").read_bytes())
+        archive.writestr("a b____.json", (bench.folder / "right.json").read_bytes())
+        archive.writestr("c.json", b"{")
+    bench.run("check odd.zip dark.json --scene scene.json --picture drawn")
+    files = sorted(p.name for p in (bench.folder / "drawn").iterdir())
+    bench.check("a drawing for each tree", files == [
+        "dark.svg", "odd.zip_a_b____-2.svg", "odd.zip_a_b____.svg"], files)
+    for file in (bench.folder / "drawn").iterdir():
+        xml.dom.minidom.parseString(file.read_bytes())
+    drawn = (bench.folder / "drawn" / "dark.svg").read_text()
+    bench.check("what differs is drawn", "ambient is (0, 0, 0)" in drawn and "must be" in drawn
+                and ">different<" in drawn and ">follows<" in drawn, drawn[:500])
+    bench.expect("no folder for drawings", "check dark.json --scene scene.json --picture scene.json",
+                 2, "", r"scene\.json.*cannot be made")
+
+
 TEMPLATE = {"format": "raytree-assignment/1.0", "pixels": 2, "scene": {
     "format": "raytree-scene/1.0",
     "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "width": 40, "height": 30,
@@ -255,6 +275,7 @@ def homework(bench):
     merging(bench, right, dark)
     rubrics(bench, dark)
     rendered(bench)
+    drawings(bench)
     assignments(bench)
     schemas(bench)
     table = bench.data.parent / "lib" / "check" / "CATALOGUE.md"

@@ -11,6 +11,9 @@ import struct
 import subprocess
 import sys
 import time
+from decimal import Decimal, getcontext
+
+getcontext().prec = 50  # more than the reference arithmetic has
 
 
 def read_pfm(data):
@@ -62,6 +65,7 @@ def pictures(bench):
             shows_its_trees(bench, scene)
     sizes_and_kinds(bench)
     maps(bench)
+    error_map(bench)
     converted(bench)
     names_its_scene(bench)
 
@@ -128,6 +132,36 @@ def maps(bench):
     must(bench, "rays", "render scene.json -o m.pfm --map rays")
     rays = sum(counts[kind]["rays"] for kind in ("primary", "reflected", "refracted", "shadow"))
     bench.check("map of rays against counts", sum(read_pfm(content(bench, "m.pfm"))[2]) == rays)
+
+
+def error_map(bench):
+    """Its values are the differences between the trees of the two arithmetics."""
+    for precision in ("double", "float"):
+        if not must(bench, precision,
+                    f"render scene.json -o e.pfm --map error --precision {precision}"):
+            continue
+        width, height, values = read_pfm(content(bench, "e.pfm"))
+        bench.check(f"some pixels have an error in {precision}", max(values) > 0)
+        worst = values.index(max(values))
+        for place in (worst, 12 * width + 16, 20 * width + 16, 0, 10 * width + 25):
+            pixel = (place % width, place // width)
+            own, exact = (intensity_of(bench, pixel, p) for p in (precision, "reference"))
+            known = max(abs(a - b) for a, b in zip(own, exact))
+            bench.check(f"map of errors in {precision} at {pixel}",
+                        abs(Decimal(values[place]) - known) <= known * Decimal("1e-6") +
+                        Decimal("1e-35"),  # the last digit of what is printed
+                        f"{values[place]}, not {known}")
+    must(bench, "no errors", "render scene.json -o e.pfm --map error --precision reference")
+    bench.check("the reference has no error", max(read_pfm(content(bench, "e.pfm"))[2]) == 0)
+
+
+def intensity_of(bench, pixel, precision):
+    """A pixel's intensity to all its digits; those of float and double are the shortest that read
+    back as the same number."""
+    must(bench, "tree", ["trace", "scene.json", "--pixel", "%d,%d" % pixel, "-o", "t.json",
+                         "--precision", precision])
+    read = Decimal if precision == "reference" else lambda text: Decimal(float(text))
+    return json.loads(content(bench, "t.json"), parse_float=read, parse_int=read)["intensity"]
 
 
 def converted(bench):

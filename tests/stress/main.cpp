@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <iostream>
 #include <mutex>
 
@@ -17,8 +18,8 @@ namespace raytree::stress {
 namespace {
 
 std::vector<Row> all_rows() {
-    return {spheres(),   tangents(),   leaving(),   meshes(),   polygons(),
-            hierarchy(), refraction(), corridors(), extremes(), trees()};
+    return {spheres(),    tangents(),  leaving(),  meshes(), polygons(), hierarchy(),
+            refraction(), corridors(), extremes(), trees(),  bounds()};
 }
 
 struct Arguments {
@@ -63,18 +64,21 @@ bool run(const Arguments& arguments) {
                            : arguments.full    ? row.full
                                                : row.quick;
         const auto begin = std::chrono::steady_clock::now();
+        const std::clock_t worked = std::clock();
         const Tally tally = run_row(row, count, arguments.seed);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+        const double processor =
+            static_cast<double>(std::clock() - worked) / static_cast<double>(CLOCKS_PER_SEC);
         const std::string line = outcome_text(row, tally);
-        std::printf("%-11s %s (%.1f s)\n", std::string(row.name).c_str(), line.c_str(),
-                    seconds.count());
+        std::printf("%-11s %s (%.1f s, %.1f s of processor time)\n", std::string(row.name).c_str(),
+                    line.c_str(), seconds.count(), processor);
         if (tally.in_double.wrong > 0) {
             all_hold = false;
             std::printf("  the first: %s\n", tally.first_wrong.c_str());
         }
         std::fflush(stdout);
         if (!arguments.table.empty()) {
-            update_table(arguments.table, all_rows(), row, tally, arguments.seed);
+            update_table(arguments.table, all_rows(), row, tally, arguments.seed, processor);
         }
     }
     return all_hold;

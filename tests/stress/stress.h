@@ -149,6 +149,7 @@ Row refraction();
 Row corridors();
 Row extremes();
 Row trees();
+Row bounds();
 
 inline std::ostream& operator<<(std::ostream& out, const Vec3<double>& v) {
     return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';

@@ -55,9 +55,10 @@ std::map<std::string, std::string, std::less<>> lines_of(std::string_view table)
 }
 
 std::string line_of(const Row& row, const std::string& tried, const std::string& in_double,
-                    const std::string& in_float) {
+                    const std::string& in_float, const std::string& took) {
     return "| `" + std::string(row.name) + "` | " + std::string(row.tried) + " | " +
-           std::string(row.holds) + " | " + tried + " | " + in_double + " | " + in_float + " |";
+           std::string(row.holds) + " | " + tried + " | " + in_double + " | " + in_float + " | " +
+           took + " |";
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ std::string outcome_text(const Row& row, const Tally& tally) {
 }
 
 void update_table(const std::string& file, const std::vector<Row>& rows, const Row& row,
-                  const Tally& tally, std::uint64_t seed) {
+                  const Tally& tally, std::uint64_t seed, double seconds) {
     std::string text = read_input(file);
     const std::size_t from = text.find(begin_mark);
     const std::size_t to = text.find(end_mark);
@@ -80,13 +81,14 @@ void update_table(const std::string& file, const std::vector<Row>& rows, const R
     auto lines = lines_of(std::string_view(text).substr(inside, to - inside));
     lines[std::string(row.name)] = line_of(
         row, grouped(tally.trials) + " " + std::string(row.unit) + ", seed " + std::to_string(seed),
-        figures(row, tally.in_double), figures(row, tally.in_float));
+        figures(row, tally.in_double), figures(row, tally.in_float), formatted("%.0f s", seconds));
     std::string table =
-        "| test | tried | must hold | trials | `double` | `float` |\n"
-        "| --- | --- | --- | --- | --- | --- |\n";
+        "| test | tried | must hold | trials | `double` | `float` | processor time |\n"
+        "| --- | --- | --- | --- | --- | --- | --- |\n";
     for (const Row& each : rows) {
         const auto line = lines.find(each.name);
-        table += (line != lines.end() ? line->second : line_of(each, "not run yet", "", "")) + '\n';
+        table +=
+            (line != lines.end() ? line->second : line_of(each, "not run yet", "", "", "")) + '\n';
     }
     write_output(file, text.replace(inside, to - inside, table));
 }

@@ -66,6 +66,33 @@ TEST_CASE("shading: near normal incidence the sine keeps its digits") {
     CHECK(s.sin2_transmitted == Approx(1e-18).epsilon(1e-12));
 }
 
+TEST_CASE("shading: a direction stays unit over 64 bounces, in every arithmetic") {
+    const auto worst = []<class T>(T) {
+        std::mt19937_64 random(9);
+        std::uniform_real_distribution<double> uniform(-1, 1);
+        const auto unit = [&] {
+            return UnitVec3<T>::of(
+                vector_cast<T>(Vec3<double>(uniform(random), uniform(random), uniform(random))));
+        };
+        T largest = 0;
+        for (int path = 0; path < 50; ++path) {
+            Vec3<T> d = unit();
+            for (int bounce = 0; bounce < 64; ++bounce) {
+                Vec3<T> n = unit();
+                n = inner(d, n) < 0 ? n : Vec3<T>(-n);
+                const Snell<T> into = snell(T(1), T(1.5), d, n);
+                d = bounce % 2 == 0 ? reflected_direction(d, n).vec()
+                                    : refracted_direction(into, d, n).vec();
+                const Quad square = inner(vector_cast<Quad>(d), vector_cast<Quad>(d));
+                largest = max_of(largest, static_cast<T>(abs(sqrt(square) - 1)));
+            }
+        }
+        return static_cast<double>(largest / Real<T>::unit_roundoff);
+    };
+    CHECK(worst(1.0F) <= 4);
+    CHECK(worst(1.0) <= 4);
+}
+
 TEST_CASE("shading: attenuation never amplifies") {
     const WorldAttenuation<double> f{0.5, 0.1, 0.01};
     CHECK(f.at(0) == 1);

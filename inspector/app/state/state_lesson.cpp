@@ -36,6 +36,8 @@ void take_look(Look& look, const lesson::Show& show) {
     look.shapes = style_of(show.shapes);
     look.overlay = show.overlay;
     look.filter = {};
+    look.angles = !show.hide_angles;
+    look.ghosts = !show.hide_unsent;
     for (const RayKind kind : show.hide) {
         look.filter.set(group_of(kind), Shown::hidden);
     }
@@ -55,6 +57,9 @@ TreePane::Tab tab_of(const lesson::Show& show, TreePane::Tab now) {
     }
     if (show.panel == lesson::Panel::outline) {
         return TreePane::Tab::outline;
+    }
+    if (show.panel == lesson::Panel::explained) {
+        return TreePane::Tab::explained;
     }
     return explained_by(show).nothing() ? now : TreePane::Tab::explained;
 }

@@ -3,7 +3,8 @@
     python3 run.py RAYTREE                        the assignments' scenes and a few others
     python3 run.py RAYTREE --quick                a sample, for CI
     python3 run.py RAYTREE --log                  and every case that is not named
-    python3 run.py RAYTREE --matrix FILE          what was named for what was planted, as JSON
+    python3 run.py RAYTREE --matrix FILE          what was named for what was planted, as JSON;
+                                                  draw_matrix.py makes a picture of it
 
 Exit 0: of the cases in which a mistake changes a number at least 98 % are found and 90 % named
 first, none is named wrongly with "sure", and every right tree passes.
@@ -164,7 +165,7 @@ def grown(source, plant, pixel):
 class Table:
     def __init__(self):
         self.rows = collections.defaultdict(collections.Counter)
-        self.named = collections.Counter()
+        self.named, self.tied = collections.Counter(), collections.Counter()
         self.log = []
 
     def judge(self, name, report, where):
@@ -179,7 +180,9 @@ class Table:
         row["alone"] += top is not None and top["id"] == name and not top["ties"]
         wrong = bool(top and top["sure"] and top not in fits)
         row["wrong and sure"] += wrong
-        self.named[name, top["id"] if top else "nothing"] += 1
+        key = (name, top["id"] if top else "nothing")
+        self.named[key] += 1
+        self.tied[key] += bool(fits) and top in fits
         if not fits or wrong or top not in fits:
             what = "; ".join(f"{m['id']}{' SURE' if m['sure'] else ''} ties {m['ties']}"
                              for m in named)
@@ -246,7 +249,7 @@ def plant_all(raytree, spot, form, table, correct, options):
                 correct.append((where, reports[key]["verdict"], reports[key]["profile"]))
 
 
-def plant_pairs(raytree, spot, wanted, seed):
+def plant_pairs(raytree, spot, wanted, seed, log=False):
     """Two mistakes at once: (both named, one, none)."""
     name, scene, pixels = spot
     source, rng = read_source(scene), random.Random(seed)
@@ -280,8 +283,11 @@ def plant_pairs(raytree, spot, wanted, seed):
     for key, names in cases.items():
         said = {x for m in reports[key]["mistakes"] for x in (m["id"], *m["ties"])}
         result[sum(n in said for n in names)] += 1
-        result["wrong and sure"] += any(
-            m["sure"] and not set(names) & {m["id"], *m["ties"]} for m in reports[key]["mistakes"])
+        wrong = [m["id"] for m in reports[key]["mistakes"]
+                 if m["sure"] and not set(names) & {m["id"], *m["ties"]}]
+        result["wrong and sure"] += bool(wrong)
+        if sum(n in said for n in names) < 2 and log:
+            print(f"  pair {names} at {name} {pixel}: {sorted(said)} {'SURE' if wrong else ''}")
     return result
 
 
@@ -319,14 +325,15 @@ def main():
             if arguments.log:
                 for line in table.log:
                     print("  " + line)
-            matrix[form] = [[a, b, n] for (a, b), n in sorted(table.named.items())]
+            matrix[form] = [[a, b, n, table.tied[a, b]]
+                            for (a, b), n in sorted(table.named.items())]
             few = form == "positions"  # what only shades leaves no trace in them
             fine = fine and not wrong and total["wrong and sure"] == 0 and (
                 few or (total["found"] >= 0.98 * total["changed"]
                         and total["first"] >= 0.9 * total["changed"]))
         pairs = collections.Counter()
         for k, spot in enumerate(every if arguments.pairs else []):
-            pairs.update(plant_pairs(arguments.raytree, spot, arguments.pairs, k))
+            pairs.update(plant_pairs(arguments.raytree, spot, arguments.pairs, k, arguments.log))
         if arguments.pairs:
             tried = sum(pairs[n] for n in (0, 1, 2))
             print(f"pairs: {tried}; both named {pairs[2]}, one {pairs[1]}, none {pairs[0]}; "

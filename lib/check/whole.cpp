@@ -1,0 +1,145 @@
+#include "check/whole.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/laws.h"
+
+namespace raytree::check {
+namespace {
+
+bool near(const Point& a, const Point& b) {
+    return largest_component(a - b) <= 1e-4 * std::max(1.0, largest_component(b));
+}
+
+bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * std::max(1.0, std::abs(b)); }
+
+bool same(const ImagePlane& a, const ImagePlane& b) {
+    return near(a.left, b.left) && near(a.right, b.right) && near(a.bottom, b.bottom) &&
+           near(a.top, b.top);
+}
+
+/// The window on the plane at distance 1, whichever way the camera gives it.
+ImagePlane window_of(const Camera& camera) {
+    if (const auto* plane = std::get_if<ImagePlane>(&camera.window)) {
+        return *plane;
+    }
+    const double x =
+        std::tan(std::get<HorizontalFov>(camera.window).degrees * Real<double>::pi / 360);
+    const double y = x * camera.height / camera.width;
+    return {-x, x, -y, y};
+}
+
+/// Whether both cameras send the same rays: `up` may have another length, or lean.
+bool same(const Camera& a, const Camera& b) {
+    const auto right = [](const Camera& camera) {
+        return model::unit(outer(camera.look_at - camera.eye, camera.up));
+    };
+    return near(a.eye, b.eye) && a.width == b.width && a.height == b.height &&
+           near(model::unit(a.look_at - a.eye), model::unit(b.look_at - b.eye)) &&
+           near(right(a), right(b)) && near(a.near, b.near) && same(window_of(a), window_of(b));
+}
+
+/// A setting that the submission states, other than the scene's. What it leaves out is read as the
+/// default.
+std::string other_setting(const Settings& stated, const Settings& due) {
+    const Settings usual;
+    const auto differs = [](const auto& a, const auto& b, const auto& c) {
+        return a != b && a != c;
+    };
+    if (differs(stated.max_depth, due.max_depth, usual.max_depth)) {
+        return "max_depth";
+    }
+    if (differs(stated.specular_model, due.specular_model, usual.specular_model)) {
+        return "specular_model";
+    }
+    if (differs(stated.shadows, due.shadows, usual.shadows)) {
+        return "shadows";
+    }
+    if (differs(stated.pixel_sample, due.pixel_sample, usual.pixel_sample)) {
+        return "pixel_sample";
+    }
+    const bool reflects = stated.total_internal_reflection != due.total_internal_reflection &&
+                          stated.total_internal_reflection != usual.total_internal_reflection;
+    return reflects ? "total_internal_reflection" : "";
+}
+
+/// Whether a ray of this sort has the field at all.
+bool can_give(const TreeRay<double>& ray, Field field) {
+    const bool of_light = field >= Field::light && field <= Field::transmittance;
+    if (ray.shadow) {
+        return of_light || field == Field::origin || field == Field::direction ||
+               field == Field::diffuse || field == Field::specular;
+    }
+    const bool of_hit = (field >= Field::object && field <= Field::cos_incident) ||
+                        field == Field::ambient || field == Field::diffuse ||
+                        field == Field::specular;
+    const bool rare =
+        field == Field::eta || field == Field::sin2_transmitted || field == Field::termination;
+    return !of_light && !rare && (!of_hit || ray.hit);
+}
+
+}  // namespace
+
+Finding of_the_whole(std::string subject, std::string reason) {
+    Finding finding;
+    finding.problem = Problem::whole;
+    finding.subject = std::move(subject);
+    finding.reason = std::move(reason);
+    finding.error = 1;
+    return finding;
+}
+
+bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Finding>& findings) {
+    const Camera& camera = scene.camera;
+    const RayTree<double>& tree = submission.tree;
+    if (tree.pixel_i >= camera.width || tree.pixel_j >= camera.height) {
+        findings.push_back(of_the_whole(
+            "pixel", "the pixel " + std::to_string(tree.pixel_i) + ',' +
+                         std::to_string(tree.pixel_j) + " lies outside the picture of " +
+                         std::to_string(camera.width) + " x " + std::to_string(camera.height)));
+        return false;
+    }
+    if (submission.has_camera && !same(tree.camera, camera)) {
+        findings.push_back(
+            of_the_whole("camera", "its camera is not that of the scene; is it another scene?"));
+    }
+    const std::string setting =
+        submission.has_settings ? other_setting(tree.settings, scene.settings) : "";
+    if (!setting.empty()) {
+        findings.push_back(
+            of_the_whole("settings", "its " + setting + " is not that of the scene"));
+    }
+    return true;
+}
+
+void look_for_missing_fields(const Submission& submission, const Given& required,
+                             std::vector<Finding>& findings, std::vector<std::string>& remarks) {
+    for (std::size_t k = 0; k < field_count; ++k) {
+        const Field field = static_cast<Field>(k);
+        std::size_t missing = 0, first = 0, able = 0;
+        for (std::size_t ray = 0; ray < submission.tree.rays.size(); ++ray) {
+            if (can_give(submission.tree.rays[ray], field)) {
+                ++able;
+                first = missing == 0 && !submission.given[ray][k] ? ray : first;
+                missing += submission.given[ray][k] ? 0 : 1;
+            }
+        }
+        if (missing == 0) {
+            continue;
+        }
+        const std::string what =
+            std::string(word_of(field)) + " is not given by " +
+            (missing == able ? "any ray"
+                             : std::to_string(missing) + " of " + std::to_string(able) + " rays");
+        if (required[k]) {
+            findings.push_back(of_the_whole(
+                std::string(word_of(field)),
+                what + ", first by ray " + submission.ids[first] + "; it is required"));
+        } else {
+            remarks.push_back(what);
+        }
+    }
+}
+
+}  // namespace raytree::check

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "check/finding.h"
+
+/// What concerns a submission as a whole: whether it is of this scene, and whether it gives what is
+/// required of it.
+namespace raytree::check {
+
+Finding of_the_whole(std::string subject, std::string reason);
+
+/// False where there is nothing to compare with: its pixel is none of the scene's.
+bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Finding>& findings);
+
+/// What is required and missing is a finding, what else is missing a remark.
+void look_for_missing_fields(const Submission& submission, const Given& required,
+                             std::vector<Finding>& findings, std::vector<std::string>& remarks);
+
+}  // namespace raytree::check
