@@ -1,5 +1,6 @@
 #include "state/bounds_details.h"
 
+#include <algorithm>
 #include <array>
 
 #include "state/numbers.h"
@@ -11,7 +12,7 @@ const RayBounds* bounds_of(const PixelTree& tree, std::size_t ray) {
     return tree.bounds && ray < tree.bounds->size() ? &(*tree.bounds)[ray] : nullptr;
 }
 
-constexpr int digits = 2;
+constexpr int digits = 5;  // of bounds, which are small, two are shown
 
 std::string bound_text(double bound) { return "± " + aligned(std::array{bound}, digits).front(); }
 
@@ -106,7 +107,9 @@ void add_bounds(std::vector<DetailSection>& sections, const PixelTree& tree, std
                                    ? std::nullopt
                                    : row_below(row.label, tree.tree.rays[ray], *bounds);
             rows.push_back(std::move(row));
-            if (below) {
+            const bool exact = below && std::ranges::all_of(
+                                            below->values, [](double bound) { return bound == 0; });
+            if (below && !exact) {
                 rows.push_back(*below);
             }
         }

@@ -31,8 +31,8 @@ class Waiting {
         if (answer.wait_for(60ms) != std::future_status::ready && !show(answer, parent, title)) {
             ++abandoned();
             std::thread(
-                [](std::thread work) {
-                    work.join();
+                [](std::thread cancelled) {
+                    cancelled.join();
                     --abandoned();
                 },
                 std::move(thread))
