@@ -116,6 +116,7 @@ TEST_CASE("app: a ray too many is extra") {
     State state;
     state.show(test::opened(scene));
     test::run_and_wait(state, "compare.file", file.path.string());
+    CHECK(state.tree()->grafted == 0);
     CHECK(count(state, RayMark::extra) == more);
 }
 

@@ -203,4 +203,12 @@ class Builder {
 
 RayMeshes ray_meshes(const RayMeshInput& input) { return Builder(input).build(); }
 
+void add_thin(Lines& lines, const std::vector<RayPath>& paths, const Palette& palette) {
+    for (const RayPath& path : paths) {
+        const std::uint8_t alpha = path.dashed() ? 60 : 170;
+        lines.add(path.from, {palette[path.look], alpha}, path.to,
+                  {palette[path.look], path.fades ? std::uint8_t{0} : alpha});
+    }
+}
+
 }  // namespace raytree::inspector

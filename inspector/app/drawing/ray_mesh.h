@@ -31,6 +31,9 @@ struct RayMeshInput {
 };
 RayMeshes ray_meshes(const RayMeshInput& input);
 
+/// Rays of other pixels' trees, as thin faint lines.
+void add_thin(Lines& lines, const std::vector<RayPath>& paths, const Palette& palette);
+
 /// The eye, the lights, the frustum with the frame of the picture, the chosen pixel on it, the
 /// normal at the selected ray's hit, and a mark on the selected object or light.
 struct Landmarks {

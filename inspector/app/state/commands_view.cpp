@@ -26,6 +26,14 @@ template <bool Look::*field> void flip(State& state, std::string_view) {
 }
 template <bool Look::*field> bool is_on(const State& state) { return state.look().*field; }
 
+template <Neighbours which> bool neighbours_are(const State& state) {
+    return state.look().neighbours == which;
+}
+template <Neighbours which> void show_neighbours(State& state, std::string_view) {
+    const bool shown = neighbours_are<which>(state);
+    state.change_look([&](Look& look) { look.neighbours = shown ? Neighbours::none : which; });
+}
+
 bool has_hit(const State& state) { return state.tree() && state.selected()->hit; }
 
 void switch_theme(State& state, std::string_view) {
@@ -82,6 +90,27 @@ constexpr Command table[] = {
     {"show.names", "View", "Names in the 3D view", "L",
      "Shows or hides the names of the eye, lights and shapes in the 3D view.", none,
      flip<&Look::names>, nullptr, is_on<&Look::names>},
+    {"show.bounds", "View", "Error bounds", "Shift+I",
+     "Shows beside each number how far rounding may have moved it, and marks rays that could have "
+     "gone either way.",
+     none, flip<&Look::bounds>, has_tree, is_on<&Look::bounds>},
+    {"neighbours.square",
+     "View",
+     "Trees of the pixels around",
+     "U",
+     "Shows the trees of the eight pixels around as thin lines, too; or no longer.",
+     none,
+     show_neighbours<Neighbours::square>,
+     has_tree,
+     neighbours_are<Neighbours::square>,
+     {},
+     true},
+    {"neighbours.row", "View", "Trees of a row of pixels", "Shift+U",
+     "Shows the trees of four pixels on either side as thin lines, too; or no longer.", none,
+     show_neighbours<Neighbours::row>, has_tree, neighbours_are<Neighbours::row>},
+    {"neighbours.column", "View", "Trees of a column of pixels", "Ctrl+U",
+     "Shows the trees of four pixels above and below as thin lines, too; or no longer.", none,
+     show_neighbours<Neighbours::column>, has_tree, neighbours_are<Neighbours::column>},
     {"look.dark", "View", "Dark theme", "T", "Changes between the light and the dark theme.", none,
      switch_theme, nullptr, is_dark, "Dark", true},
 };

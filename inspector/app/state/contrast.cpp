@@ -9,6 +9,7 @@
 #include "check/forge.h"
 #include "check/rulebook.h"
 #include "state/contrast_lines.h"
+#include "tree/error_bounds.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 
@@ -37,14 +38,41 @@ void graft(PixelTree& shown, Contrast& contrast) {
 }
 
 /// The truth by the conventions of whoever recorded the tree.
-PixelTree truth_for(const TreeSource& source, const std::string& profile) {
+PixelTree truth_for(const TreeSource& source, const check::Choices& conventions) {
     const check::Rulebooks books(source.document->scene(),
                                  source.document->loaded().format == SceneFormat::course_text);
-    const check::Rulebook& book = books.of(check::profile_named(profile));
+    check::Choices choices = books.lecture().choices;
+    for (const check::Convention* const convention : conventions) {
+        choices = check::with_choice(
+            choices, std::string(convention->axis) + "=" + std::string(convention->value));
+    }
+    const check::Rulebook& book = books.of(choices);
     PixelTree tree;
     tree.tree = check::forge_tree(book.place, book.laws, source.pixel.i, source.pixel.j);
     tree.children = children_of(tree.tree);
     return tree;
+}
+
+void add_bounds(PixelTree& tree, const TreeSource& source) {
+    constexpr std::size_t most =
+        3000;  // rays: each is looked around of in the reference arithmetic
+    if (source.bounds && tree.tree.rays.size() <= most) {
+        tree.bounds = std::make_shared<const std::vector<RayBounds>>(
+            error_bounds(source.document->world(), source.document->reference(), tree.tree,
+                         Real<double>::unit_roundoff));
+    }
+}
+
+/// A pixel whose tree has no finite intensity has none to show.
+void add_neighbours(PixelTree& tree, const TreeSource& source) {
+    for (const Pixel pixel :
+         neighbours_of(source.pixel, source.neighbours, source.document->scene().camera)) {
+        try {
+            tree.neighbours.push_back(
+                std::make_shared<const PixelTree>(tree_from({source.document, pixel})));
+        } catch (const InputError&) {
+        }
+    }
 }
 
 /// Holds the recorded tree against the truth.
@@ -67,6 +95,10 @@ PixelTree tree_from(const TreeSource& source) {
         tree.tree.scene_sha256 = source.document->loaded().sha256;
     }
     tree.children = children_of(tree.tree);
+    if (!source.recorded) {
+        add_bounds(tree, source);
+        add_neighbours(tree, source);
+    }
     return tree;
 }
 
@@ -84,10 +116,10 @@ PixelTree laid_over(const TreeSource& shown_source, const Comparison& with) {
         report =
             shown_is_recorded ? judged(shown_source, with.other) : judged(with.other, shown_source);
     }
-    const bool by_conventions = report && report->profile != check::profiles().front().name &&
-                                report->verdict != check::Verdict::unreadable;
+    const bool by_conventions =
+        report && !report->conventions.empty() && report->verdict != check::Verdict::unreadable;
     const auto tree_of = [&](const TreeSource& source) {
-        return by_conventions && !source.recorded ? truth_for(source, report->profile)
+        return by_conventions && !source.recorded ? truth_for(source, report->conventions)
                                                   : tree_from(source);
     };
     PixelTree shown = tree_of(shown_source);

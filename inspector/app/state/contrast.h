@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "state/document.h"
+#include "state/neighbours.h"
 #include "state/pixel_tree.h"
 
 /// Two trees laid over each other.
@@ -14,6 +15,8 @@ struct TreeSource {
     Pixel pixel;
     std::shared_ptr<const check::Submission> recorded = nullptr;  ///< null: traced
     std::string name = {};                                        ///< whose it is
+    bool bounds = false;  ///< whether the error bounds of a traced tree are asked for
+    Neighbours neighbours = Neighbours::none;
 };
 
 /// Throws InputError where an intensity is not finite.

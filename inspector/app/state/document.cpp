@@ -102,6 +102,11 @@ Document::Document(std::filesystem::path file, LoadedScene loaded)
       loaded_(std::move(loaded)),
       world_(loaded_.scene, Build::where_rays_go) {}
 
+const World<Quad>& Document::reference() const {
+    std::call_once(reference_asked_, [this] { reference_.emplace(loaded_.scene); });
+    return *reference_;
+}
+
 bool Document::contains(Pixel pixel) const {
     const Camera& camera = scene().camera;
     return pixel.i >= 0 && pixel.j >= 0 && pixel.i < camera.width && pixel.j < camera.height;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ class Document {
     const LoadedScene& loaded() const { return loaded_; }
     const Scene& scene() const { return loaded_.scene; }
     const World<double>& world() const { return world_; }
+    /// The same world in the arithmetic that errors are measured by; made when it is first asked
+    /// for, from any thread.
+    const World<Quad>& reference() const;
 
     bool contains(Pixel pixel) const;
 
@@ -42,6 +46,8 @@ class Document {
     std::filesystem::path file_;
     LoadedScene loaded_;
     World<double> world_;
+    mutable std::once_flag reference_asked_;
+    mutable std::optional<World<Quad>> reference_;
 };
 
 /// What opening a file gave.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "state/bounds_details.h"
 #include "state/contrast_lines.h"
 #include "tree/explain.h"
 
@@ -60,6 +61,9 @@ OutlineTexts marked_texts_of(const PixelTree& tree, const OutlineRow& row,
         blank(texts, tree, row.ray);
     }
     veil(texts, stage_of(playback, row.ray));
+    if (in_doubt(tree, row.ray)) {
+        texts.ray += "   ≈ in doubt";
+    }
     const std::string mark = mark_text(tree.mark(row.ray));
     if (!mark.empty()) {
         texts.ray += "   " + mark;
@@ -117,6 +121,9 @@ std::vector<DetailSection> known_details(const PixelTree& tree, std::size_t ray,
             (stage == Stage::sent && at_once && !shadow_pending)) {
             sections.push_back(std::move(section));
         }
+    }
+    if (!graft) {
+        add_bounds(sections, tree, ray);
     }
     return sections;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "check/submission.h"
+#include "tree/error_bounds.h"
 #include "tree/ray_tree.h"
 
 namespace raytree::inspector {
@@ -65,6 +66,10 @@ struct PixelTree {
     std::shared_ptr<const Contrast> contrast = nullptr;  ///< null: it is not compared
     /// The file's data, where the tree is shown as somebody else recorded it.
     std::shared_ptr<const check::Submission> recorded = nullptr;
+
+    /// Of its own rays; null where they have not been asked for.
+    std::shared_ptr<const std::vector<RayBounds>> bounds = nullptr;
+    std::vector<std::shared_ptr<const PixelTree>> neighbours = {};  ///< those that are shown
 
     std::size_t own() const { return tree.rays.size() - grafted; }
     bool is_own(std::size_t ray) const { return ray < own(); }

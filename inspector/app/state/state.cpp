@@ -1,6 +1,7 @@
 #include "state/state.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "state/start_pixel.h"
 
@@ -97,6 +98,7 @@ void State::go_back(int by) {
 void State::choose(Pixel pixel) {
     pixel_ = pixel;
     keep_selected_.reset();
+    same_selected_.reset();
     trace_again();
 }
 
@@ -129,7 +131,11 @@ bool State::take_tree(std::chrono::milliseconds patience) {
     if (!traced->failure.empty()) {
         message_ = traced->failure;
     }
+    const auto same = std::exchange(same_selected_, std::nullopt);
     if (tree_) {
+        if (same && *same < tree_->tree.rays.size()) {
+            selected_ = *same;
+        }
         if (keep_selected_) {
             take_counterpart(*keep_selected_);
         }
@@ -171,8 +177,15 @@ void State::select(std::optional<Thing> thing) {
 }
 
 void State::change_look(const std::function<void(Look&)>& change) {
+    const bool bounds = look_.bounds;
+    const Neighbours neighbours = look_.neighbours;
     change(look_);
-    tell({.look = true});
+    const bool asks_more = bounds != look_.bounds || neighbours != look_.neighbours;
+    if (asks_more && document_) {
+        same_selected_ = selected_;
+        trace();
+    }
+    tell({.tree = asks_more, .selection = asks_more, .look = true, .message = asks_more});
 }
 
 void State::request(Request request, std::string text) {

@@ -34,6 +34,8 @@ struct Look {
     bool angles = true;              ///< whether those at the selected hit are drawn
     std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
     bool names = true;               ///< whether things in the 3D view bear their names
+    bool bounds = false;             ///< whether numbers are shown with their error bounds
+    Neighbours neighbours = Neighbours::none;  ///< pixels whose trees the 3D view shows as well
 };
 
 /// Of the pane that shows the tree in one of three ways.
@@ -282,6 +284,7 @@ class State {
     std::optional<std::filesystem::path> own_file_;
     std::optional<Against> against_;
     std::optional<std::size_t> keep_selected_;  ///< in the tree before
+    std::optional<std::size_t> same_selected_;  ///< the same tree is traced once more
     std::unique_ptr<LessonRun> lesson_;
     LessonSide lesson_side_ = LessonSide::hidden;
     std::filesystem::path lesson_folder_;

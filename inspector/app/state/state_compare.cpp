@@ -18,7 +18,8 @@ std::string maker_of(const check::Submission& recorded) {
 }  // namespace
 
 TreeSource State::source(Pixel pixel, std::shared_ptr<const Document> document) const {
-    return {std::move(document), pixel, nullptr, "raytree's own tree"};
+    return {std::move(document),  pixel,        nullptr,
+            "raytree's own tree", look_.bounds, look_.neighbours};
 }
 
 /// The tree that is to be shown, and what it is to be laid over.

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QSurfaceFormat>
+#include <cstdlib>
 
 #include "formats/output_file.h"
 #include "state/commands.h"
@@ -14,6 +15,7 @@
 #include "window/main_window.h"
 #include "window/remembered_table.h"
 #include "window/scene_pane.h"
+#include "window/waiting.h"
 
 namespace raytree::inspector {
 namespace {
@@ -97,7 +99,11 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
         take_screenshot(state, window, *options.screenshot);
         return 0;
     }
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    if (Waiting::abandoned() > 0) {
+        std::_Exit(code);
+    }
+    return code;
 }
 
 }  // namespace raytree::inspector

@@ -30,6 +30,7 @@ namespace {
 constexpr double click_reach = 9;  // pixels around the cursor
 constexpr double drag_from = 4;    // pixels that make a click a drag
 constexpr double degrees_a_pixel = 0.4;
+const std::vector<std::shared_ptr<const PixelTree>> no_neighbours;
 constexpr int settle_time = 90;  // milliseconds without another view, shape or picture
 
 }  // namespace
@@ -175,6 +176,12 @@ void ScenePane::take_tree() {
             });
         }
     }
+    beside_.clear();
+    for (const auto& tree : state_.tree() ? state_.tree()->neighbours : no_neighbours) {
+        constexpr std::size_t most = 2000;  // of each
+        std::ranges::copy(ray_paths(*tree, extent_, state_.look().filter, most),
+                          std::back_inserter(beside_));
+    }
     show_notes();
 }
 
@@ -190,6 +197,10 @@ void ScenePane::show_notes() {
         notes << QStringLiteral("drawn are the %1 weightiest of %2 rays")
                      .arg(paths_.size())
                      .arg(state_.tree()->tree.rays.size());
+    }
+    if (state_.tree() && !state_.tree()->neighbours.empty()) {
+        notes << QStringLiteral("thin: the trees of %1 pixels around")
+                     .arg(state_.tree()->neighbours.size());
     }
     if (const std::string contrast = contrast_note(state_); !contrast.empty()) {
         notes << qt(contrast);
@@ -270,6 +281,7 @@ void ScenePane::prepare_rays() {
                                     state_.look().angles, state_.look().ghosts});
         }
     }
+    add_thin(rays.lines, beside_, palette);
     scene3d_.set_landmarks(marks);
     scene3d_.set_rays(rays);
     scene3d_.set_angles(angles);

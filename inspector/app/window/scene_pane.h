@@ -78,7 +78,8 @@ class ScenePane : public QWidget {
     SceneMesh mesh_;
     std::vector<std::size_t> shape_order_;  ///< of its objects, where they are see-through
     std::vector<RayPath> paths_;
-    bool stale_shapes_ = false;  ///< what the next frame has to be given anew
+    std::vector<RayPath> beside_;  ///< of the pixels around
+    bool stale_shapes_ = false;    ///< what the next frame has to be given anew
     bool stale_rays_ = false;
     bool stale_view_ = false;
     double mesh_pixel_ = 0;  ///< for which mesh_ has been made

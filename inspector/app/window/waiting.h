@@ -3,11 +3,10 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QProgressDialog>
+#include <atomic>
 #include <chrono>
 #include <future>
-#include <memory>
 #include <thread>
-#include <vector>
 
 namespace raytree::inspector {
 
@@ -15,10 +14,11 @@ namespace raytree::inspector {
 /// than a glance, and cancels it. A cancelled thread ends by itself; its answer is dropped.
 class Waiting {
   public:
-    ~Waiting() {
-        for (std::thread& thread : abandoned_) {
-            thread.join();
-        }
+    /// How many cancelled threads have not yet ended. They must not outlive `main`, and nobody
+    /// waits for them: where there are any, the program is left at once.
+    static std::atomic<int>& abandoned() {
+        static std::atomic<int> count{0};
+        return count;
     }
 
     /// None where it was cancelled. Throws what the work throws.
@@ -29,7 +29,14 @@ class Waiting {
         auto answer = task.get_future();
         std::thread thread(std::move(task));
         if (answer.wait_for(60ms) != std::future_status::ready && !show(answer, parent, title)) {
-            abandoned_.push_back(std::move(thread));
+            ++abandoned();
+            std::thread(
+                [](std::thread cancelled) {
+                    cancelled.join();
+                    --abandoned();
+                },
+                std::move(thread))
+                .detach();
             return std::nullopt;
         }
         thread.join();
@@ -55,8 +62,6 @@ class Waiting {
         }
         return true;
     }
-
-    std::vector<std::thread> abandoned_;
 };
 
 }  // namespace raytree::inspector
