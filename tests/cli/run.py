@@ -4,11 +4,11 @@ cases.py and inputs.py, and its pictures against what is known of them (pictures
 
 import argparse
 import re
+import resource
 import shlex
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import checking
@@ -86,7 +86,7 @@ def commands(bench):
     for name, command, code, out, err, *written in COMMANDS:
         bench.expect(name, command, code, out, err, *written)
     started = min(timed(bench) for _ in range(20))
-    bench.check("--version in under 10 ms", bench.slow or started < 0.010,
+    bench.check("--version in under 10 ms of processor time", bench.slow or started < 0.010,
                 f"{1000 * started:.1f} ms")
     with open("/dev/full", "wb") as full:
         done = subprocess.run([bench.raytree, "info", "scene.json"], cwd=bench.folder, stdout=full,
@@ -96,9 +96,11 @@ def commands(bench):
 
 
 def timed(bench):
-    begin = time.perf_counter()
+    """Seconds of processor time, which other work on the machine hardly lengthens."""
+    begin = resource.getrusage(resource.RUSAGE_CHILDREN)
     bench.run("--version")
-    return time.perf_counter() - begin
+    end = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return end.ru_utime + end.ru_stime - begin.ru_utime - begin.ru_stime
 
 
 def bad_input(bench):
