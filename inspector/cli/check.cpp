@@ -27,6 +27,8 @@ constexpr const char* examples =
 constexpr std::array<std::string_view, 5> format_words = {"text", "json", "gradescope", "junit",
                                                           "csv"};
 
+constexpr std::array<std::string_view, 4> telling_words = {"where", "quantity", "formula", "all"};
+
 struct Arguments {
     CheckRun run;
     SceneArguments scene;
@@ -139,13 +141,21 @@ void add_reporting(CLI::App& app, const std::shared_ptr<Arguments>& arguments) {
               [&run](const std::string& text) {
                   run.as = static_cast<check::ReportFormat>(one_of("--as", text, format_words));
               });
-    add_value(app, "--picture", "FOLDER", "draw each tree over the true one, as SVG",
+    add_value(app, "--tell", "where|quantity|formula|all",
+              "how much the text gives away: where to look, also\nwhat is wrong there, also its "
+              "formula, or also the\nnumbers and the mistake (default: all)",
+              [&run](const std::string& text) {
+                  run.telling = static_cast<check::Telling>(one_of("--tell", text, telling_words));
+              });
+    add_value(app, "--picture", "FOLDER",
+              "draw each tree over the true one, as SVG; each\npicture beside the true one, as PNG",
               [&run](const std::string& text) { run.pictures = text; });
     app.add_flag("--anonymous", run.anonymous, "numbers instead of the files' names");
     app.add_flag("--catalogue", arguments->catalogue,
                  "all mistakes, conventions and profiles as Markdown");
     app.add_flag("--merge", arguments->merge,
-                 "the files are reports (--as json) of other runs;\njoin them into one");
+                 "the files, or the files of a folder, are reports\n(--as json) of other runs; "
+                 "join them into one");
 }
 
 }  // namespace

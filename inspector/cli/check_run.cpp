@@ -29,18 +29,25 @@ std::string picture_bytes(const std::filesystem::path& file) {
     return read_input(file);
 }
 
-check::Report judged_picture(const check::PictureChecker& checker, const Handed& handed) {
+check::Report judged_picture(const check::PictureChecker& checker, const Handed& handed, bool drawn,
+                             std::string& drawing) {
     try {
-        return checker.check(handed.text ? *handed.text : picture_bytes(handed.file), handed.name);
+        const std::string bytes = handed.text ? *handed.text : picture_bytes(handed.file);
+        const check::Report report = checker.check(bytes, handed.name);
+        if (drawn) {
+            drawing = checker.overlay(bytes, report);
+        }
+        return report;
     } catch (const InputError& error) {
         return check::refused(handed.name, error.mistakes().front().text);
     }
 }
 
-/// What is said of a submission, and the drawing of its tree.
+/// What is said of a submission, and the drawing of its tree or picture over the true one.
 struct Judged {
     check::Printed printed;
     std::string drawing;
+    bool is_picture = false;
 };
 
 check::Report judged_tree(const check::Checker& checker, const Handed& handed, bool drawn,
@@ -63,10 +70,12 @@ check::Report judged_tree(const check::Checker& checker, const Handed& handed, b
 Judged judged(const check::Checker& checker, const check::PictureChecker& pictures,
               const Handed& handed, const CheckRun& run) {
     Judged result;
+    result.is_picture = handed.is_picture;
+    const bool drawn = !run.pictures.empty();
     const check::Report report =
         !handed.refusal.empty() ? check::refused(handed.name, handed.refusal)
-        : handed.is_picture     ? judged_picture(pictures, handed)
-                            : judged_tree(checker, handed, !run.pictures.empty(), result.drawing);
+        : handed.is_picture     ? judged_picture(pictures, handed, drawn, result.drawing)
+                                : judged_tree(checker, handed, drawn, result.drawing);
     result.printed = check::printed(report, run.rubric ? &*run.rubric : nullptr);
     return result;
 }
@@ -80,10 +89,11 @@ class Drawings {
             throw InputError(folder, "", "cannot be made: " + error.message());
         }
     }
-    void add(const std::string& submission, const std::string& svg) {
-        if (!svg.empty()) {
-            write_output((std::filesystem::path(folder_) / (name_of(submission) + ".svg")).string(),
-                         svg);
+    void add(const std::string& submission, const std::string& drawing, const char* extension) {
+        if (!drawing.empty()) {
+            write_output(
+                (std::filesystem::path(folder_) / (name_of(submission) + extension)).string(),
+                drawing);
         }
     }
 
@@ -110,6 +120,25 @@ class Drawings {
     std::set<std::string> used_;
 };
 
+/// The files themselves, and the .json files of folders: a class has more parts than a command
+/// line.
+std::vector<std::string> reports_in(const std::vector<std::string>& named) {
+    std::vector<std::string> files;
+    for (const std::string& name : named) {
+        std::error_code error;
+        if (!std::filesystem::is_directory(name, error)) {
+            files.push_back(name);
+            continue;
+        }
+        for (const auto& entry : std::filesystem::directory_iterator(name)) {
+            if (entry.path().extension() == ".json") {
+                files.push_back(entry.path().string());
+            }
+        }
+    }
+    return files;
+}
+
 int exit_code(const ReportSpool& spool) { return spool.all_pass() ? done : found_wrong; }
 
 }  // namespace
@@ -118,7 +147,7 @@ int check_submissions(const CheckRun& run) {
     SubmissionFeed feed(run.submissions, run.anonymous);
     const check::Checker checker(run.scene, run.options);
     const check::PictureChecker pictures(checker);
-    ReportSpool spool(run.as);
+    ReportSpool spool(run.as, run.telling);
     const std::size_t threads =
         run.threads > 0
             ? static_cast<std::size_t>(run.threads)
@@ -138,7 +167,7 @@ int check_submissions(const CheckRun& run) {
     Drawings drawings(run.pictures);
     const auto put = [&](const std::shared_ptr<Judged>& result) {
         spool.add(result->printed);
-        drawings.add(result->printed.file, result->drawing);
+        drawings.add(result->printed.file, result->drawing, result->is_picture ? ".png" : ".svg");
     };
     tbb::parallel_pipeline(
         2 * threads,
@@ -152,8 +181,9 @@ int check_submissions(const CheckRun& run) {
 }
 
 int merge_reports(const CheckRun& run) {
+    const std::vector<std::string> files = reports_in(run.submissions);
     std::map<std::string, std::string> numbers;
-    for (const std::string& file : run.anonymous ? run.submissions : std::vector<std::string>()) {
+    for (const std::string& file : run.anonymous ? files : std::vector<std::string>()) {
         for (const check::Printed& submission : check::read_report(read_input(file), file)) {
             numbers[submission.file];
         }
@@ -162,8 +192,8 @@ int merge_reports(const CheckRun& run) {
     for (auto& [name, number] : numbers) {
         number = anonymous_name(++count);
     }
-    ReportSpool spool(run.as);
-    for (const std::string& file : run.submissions) {
+    ReportSpool spool(run.as, run.telling);
+    for (const std::string& file : files) {
         for (check::Printed& submission : check::read_report(read_input(file), file)) {
             submission.file = run.anonymous ? numbers[submission.file] : submission.file;
             spool.add(submission);

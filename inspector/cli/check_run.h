@@ -18,6 +18,7 @@ struct CheckRun {
     std::optional<check::Rubric> rubric;
     bool anonymous = false;
     check::ReportFormat as = check::ReportFormat::text;
+    check::Telling telling = check::Telling::all;
     std::string output = "-";
     std::string pictures;  ///< the folder for drawings of the trees; empty: none
     int threads = 0;       ///< 0: all cores

@@ -17,7 +17,8 @@ namespace {
 
 }  // namespace
 
-ReportSpool::ReportSpool(check::ReportFormat format) : sheet_(format), file_(std::tmpfile()) {
+ReportSpool::ReportSpool(check::ReportFormat format, check::Telling telling)
+    : sheet_(format, telling), file_(std::tmpfile()) {
     if (!file_) {
         fail();
     }

@@ -13,7 +13,7 @@ namespace raytree::cli {
 /// in little memory; then writes the whole, in the order of the submissions' names.
 class ReportSpool {
   public:
-    explicit ReportSpool(check::ReportFormat format);
+    ReportSpool(check::ReportFormat format, check::Telling telling);
 
     void add(const check::Printed& submission);
     /// Writes the report to the file of that name, "-" is standard output.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "check/laws.h"
@@ -21,6 +22,25 @@ template <RayKind kind, class Change> void share_by(Laws& laws, Change) {
         branch.coefficient = Change{}(step, branch.coefficient);
         return model::combine(place, step, changed);
     };
+}
+
+/// Whether rounding puts the start before or behind the surface decides.
+template <RayKind kind> void may_meet_own_start(Laws& laws) {
+    laws.may_meet_start[static_cast<std::size_t>(kind)] = true;
+}
+
+/// Total reflection does not stop the refracted ray.
+inline std::optional<Reason> through_total(const Place& place, const Step& step, RayKind kind,
+                                           const Spectrum& weight) {
+    Step passing = step;
+    passing.cos2_transmitted = 1;
+    return model::why_not(place, passing, kind, weight);
+}
+
+/// `eta d + (eta c1 - sqrt(k)) n`, with k = 0 under total reflection.
+inline Vec grazing_where_total(const Place&, const Step& step) {
+    const double eta = step.eta1 / step.eta2;
+    return mixed(step, eta, eta * step.cosine() - std::sqrt(std::max(0.0, step.cos2_transmitted)));
 }
 
 template <RayKind kind> std::optional<Hit<double>> own_surface(const Place& place, const Step& step,

@@ -17,8 +17,8 @@ const std::vector<MistakeRow>& catalogue() {
         std::vector<MistakeRow> rows;
         for (const auto family :
              {camera_mistakes(), sphere_mistakes(), hit_mistakes(), normal_mistakes(),
-              shadow_mistakes(), light_mistakes(), highlight_mistakes(), reflection_mistakes(),
-              refraction_mistakes(), recursion_mistakes()}) {
+              shadow_mistakes(), light_mistakes(), fading_mistakes(), highlight_mistakes(),
+              reflection_mistakes(), refraction_mistakes(), recursion_mistakes()}) {
             rows.insert(rows.end(), family.begin(), family.end());
         }
         return rows;

@@ -21,7 +21,7 @@ struct MistakeRow {
     std::string_view text;
     std::string_view topic;
     LawChange apply;
-    std::array<LawChange, 3> others{};  ///< other ways to make the same mistake; the rest null
+    std::array<LawChange, 4> others{};  ///< other ways to make the same mistake; the rest null
 
     /// `apply`, then the others.
     std::vector<LawChange> ways() const;
@@ -37,6 +37,7 @@ std::span<const MistakeRow> hit_mistakes();
 std::span<const MistakeRow> normal_mistakes();
 std::span<const MistakeRow> shadow_mistakes();
 std::span<const MistakeRow> light_mistakes();
+std::span<const MistakeRow> fading_mistakes();
 std::span<const MistakeRow> highlight_mistakes();
 std::span<const MistakeRow> reflection_mistakes();
 std::span<const MistakeRow> refraction_mistakes();

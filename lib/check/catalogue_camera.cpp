@@ -3,6 +3,7 @@
 
 #include "check/catalogue.h"
 #include "check/film.h"
+#include "check/not_unit.h"
 
 namespace raytree::check {
 namespace {
@@ -17,6 +18,12 @@ Beam scaled(const Place& place, const Step& step, double sx, double sy) {
 Beam at_pixel(const Place& place, double column, double row) {
     const Camera& camera = place.scene().camera;
     return beam_through(place, film_at(place, column / camera.width, row / camera.height));
+}
+
+Beam over_one_less(const Place& place, double column, double row) {
+    const Camera& camera = place.scene().camera;
+    return beam_through(place, film_at(place, column / std::max(1.0, camera.width - 1.0),
+                                       row / std::max(1.0, camera.height - 1.0)));
 }
 
 double offset(const Place& place) {
@@ -57,12 +64,19 @@ Beam by_tangent(const Place& place, const Step& step, double (*angle)(double hal
 }
 
 const MistakeRow rows[] = {
-    {"cam.no_half", "The ray goes through the pixel's corner: the half pixel is not added.", topic,
+    {"cam.no_half",
+     "The ray goes through the pixel's corner: the half pixel is not added.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_i, step.pixel_j);
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return at_pixel(place, step.pixel_i, step.pixel_j + 1);
+         };
+     }}},
     {"cam.half_added_twice", "Half a pixel is added where the scene samples corners.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -70,24 +84,19 @@ const MistakeRow rows[] = {
                              step.pixel_j + offset(place) + 0.5);
          };
      }},
-    {"cam.wminus1", "The pixel's column and row are divided by width - 1 and height - 1.", topic,
+    {"cam.wminus1",
+     "The pixel's column and row are divided by width - 1 and height - 1.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
-             const Camera& camera = place.scene().camera;
-             return beam_through(place,
-                                 film_at(place, step.pixel_i / std::max(1.0, camera.width - 1.0),
-                                         step.pixel_j / std::max(1.0, camera.height - 1.0)));
+             return over_one_less(place, step.pixel_i, step.pixel_j);
          };
-     }},
-    {"cam.wminus1_centred", "The pixel's middle is divided by width - 1 and height - 1.", topic,
-     [](Laws& laws) {
+     },
+     {[](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
-             const Camera& camera = place.scene().camera;
-             return beam_through(
-                 place, film_at(place, (step.pixel_i + 0.5) / std::max(1.0, camera.width - 1.0),
-                                (step.pixel_j + 0.5) / std::max(1.0, camera.height - 1.0)));
+             return over_one_less(place, step.pixel_i + 0.5, step.pixel_j + 0.5);
          };
-     }},
+     }}},
     {"cam.row_off_by_one",
      "The row is one too far down or up.",
      topic,
@@ -101,18 +110,22 @@ const MistakeRow rows[] = {
              return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
          };
      }}},
-    {"cam.row_off_by_one_up", "The row is one too far up.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
-         };
-     }},
-    {"cam.ij_swapped", "Column and row are exchanged.", topic,
+    {"cam.ij_swapped",
+     "Column and row are exchanged.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_j + offset(place), step.pixel_i + offset(place));
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             const Camera& camera = place.scene().camera;
+             return beam_through(place,
+                                 film_at(place, (step.pixel_j + offset(place)) / camera.height,
+                                         (step.pixel_i + offset(place)) / camera.width));
+         };
+     }}},
     {"cam.fov_not_halved", "The tangent is taken of the whole field of view, not of half.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -151,26 +164,46 @@ const MistakeRow rows[] = {
              return scaled(place, step, 1 / aspect_of(place), 1 / aspect_of(place));
          };
      }}},
-    {"cam.aspect_inverted", "Height over width is used for the aspect, or the other way round.",
+    {"cam.aspect_inverted",
+     "Height over width is used for the aspect, or the other way round.",
      topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return scaled(place, step, 1, aspect_of(place) * aspect_of(place));
          };
-     }},
-    {"cam.aspect_missing", "The picture's aspect is left out.", topic,
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return scaled(place, step, 1 / (aspect_of(place) * aspect_of(place)), 1);
+         };
+     }}},
+    {"cam.aspect_missing",
+     "The picture's aspect is left out.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return scaled(place, step, 1, aspect_of(place));
          };
-     }},
-    {"cam.y_flipped", "Rows are counted from below: the picture stands on its head.", topic,
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return scaled(place, step, 1 / aspect_of(place), 1);
+         };
+     }}},
+    {"cam.y_flipped",
+     "Rows are counted from below: the picture stands on its head.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_i + offset(place),
                              place.scene().camera.height - step.pixel_j - offset(place));
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return scaled(place, step, 1, -1);
+         };
+     }}},
     {"cam.row_flipped_h_minus_j", "Rows are flipped by height - j: one row off.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -178,13 +211,20 @@ const MistakeRow rows[] = {
                              place.scene().camera.height - step.pixel_j + offset(place));
          };
      }},
-    {"cam.mirrored", "Left and right are exchanged: the cross product is the wrong way round.",
+    {"cam.mirrored",
+     "Left and right are exchanged: the cross product is the wrong way round.",
      topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return scaled(place, step, -1, 1);
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.primary = [](const Place& place, const Step& step) {
+             return at_pixel(place, place.scene().camera.width - step.pixel_i - offset(place),
+                             step.pixel_j + offset(place));
+         };
+     }}},
     {"cam.turned_round", "Both axes are reversed: the picture is turned by half a turn.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -244,6 +284,18 @@ const MistakeRow rows[] = {
              return Beam{Vec(0.0), model::primary(place, step).direction};
          };
      }},
+    {"cam.dir_not_normalised",
+     "The primary direction is not made unit and is used for V as if it were.",
+     topic,
+     [](Laws& laws) {
+         laws.primary = primary_not_unit;
+         laws.specular = highlight_not_unit;
+     },
+     {[](Laws& laws) {
+         laws.primary = primary_not_unit;
+         laws.specular = highlight_not_unit;
+         laws.refracted = refracted_not_unit;
+     }}},
     {"cam.window_symmetric", "The window's left and bottom are ignored, as if it were symmetric.",
      topic, [](Laws& laws) { laws.primary = symmetric_window; }},
     {"num.int_division", "Column over width is divided in whole numbers, which is always 0.", topic,

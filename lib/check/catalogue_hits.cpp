@@ -90,6 +90,53 @@ Interval<double> from_at_least(const Place& place, const Step& step, double leas
     return interval;
 }
 
+Interval<double> near_not_asked(const Place& place, const Step& step) {
+    Interval<double> interval = model::interval(place, step);
+    interval.from = 0;
+    return interval;
+}
+
+template <int hundredths> Interval<double> beyond_epsilon(const Place& place, const Step& step) {
+    return from_at_least(place, step, step.kind == RayKind::primary ? 0 : hundredths / 100.0);
+}
+
+/// What stands between a hit and a light, but for what is nearer to the hit than `least`.
+Passage shadow_beyond(const Place& place, const Step& step, const Shine& shine, double least) {
+    if (place.scene().settings.shadows == ShadowMode::none) {
+        return {};
+    }
+    NoTestCount none;
+    const Ray<double> ray{step.point, shine.towards, model::origin_error(step.point)};
+    const Interval<double> between{least, shine.distance * (1 - 8 * Real<double>::unit_roundoff)};
+    return between.from < between.to
+               ? model::through(place, place.shapes.all(ray, step.surface, between, none))
+               : Passage{};
+}
+
+template <int hundredths> void overlooks(Laws& laws) {
+    laws.interval = beyond_epsilon<hundredths>;
+    laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+        return shadow_beyond(place, step, shine, hundredths / 100.0);
+    };
+}
+
+Interval<double> beyond_near(const Place& place, const Step& step) {
+    return from_at_least(place, step, place.scene().camera.near);
+}
+
+void beyond_the_plane(Laws& laws) {
+    laws.interval = [](const Place& place, const Step& step) {
+        return from_at_least(place, step, 1);
+    };
+}
+
+void beyond_the_plane_and_shadows(Laws& laws) {
+    beyond_the_plane(laws);
+    laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+        return shadow_beyond(place, step, shine, 1);
+    };
+}
+
 const MistakeRow rows[] = {
     {"isect.negative_t",
      "Hits behind the ray's start are accepted: there is no test for t > 0.",
@@ -119,32 +166,27 @@ const MistakeRow rows[] = {
      topic,
      everywhere<culled<true>>,
      {but_for_shadows<culled<true>>}},
-    {"eps.too_large", "What is nearer than a large epsilon (0.25) is overlooked.", topic,
-     [](Laws& laws) {
-         laws.interval = [](const Place& place, const Step& step) {
-             return from_at_least(place, step, step.kind == RayKind::primary ? 0 : 0.25);
-         };
-     }},
-    {"hit.near_rule_on_secondary", "The near distance is applied to all rays.", topic,
-     [](Laws& laws) {
-         laws.interval = [](const Place& place, const Step& step) {
-             return from_at_least(place, step, place.scene().camera.near);
-         };
-     }},
-    {"hit.beyond_image_plane", "Only hits with t > 1 count, for secondary rays too.", topic,
-     [](Laws& laws) {
-         laws.interval = [](const Place& place, const Step& step) {
-             return from_at_least(place, step, 1);
-         };
-     }},
+    {"eps.too_large",
+     "What is nearer than a large epsilon (0.25, say) is overlooked.",
+     topic,
+     [](Laws& laws) { laws.interval = beyond_epsilon<25>; },
+     {overlooks<25>, overlooks<10>, overlooks<50>, overlooks<1>}},
+    {"hit.near_rule_on_secondary",
+     "The near distance, or that of the image plane, is applied to all rays.",
+     topic,
+     [](Laws& laws) { laws.interval = beyond_near; },
+     {[](Laws& laws) {
+          laws.interval = beyond_near;
+          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+              return shadow_beyond(place, step, shine, place.scene().camera.near);
+          };
+      },
+      beyond_the_plane, beyond_the_plane_and_shadows}},
     {"hit.primary_without_near", "The near distance is ignored.", topic,
-     [](Laws& laws) {
-         laws.interval = [](const Place& place, const Step& step) {
-             Interval<double> interval = model::interval(place, step);
-             interval.from = 0;
-             return interval;
-         };
-     }},
+     [](Laws& laws) { laws.interval = near_not_asked; }},
+    {"isect.bool_precedence",
+     "A condition as a && b || c lacks its parentheses: the near distance is not asked.", topic,
+     [](Laws& laws) { laws.interval = near_not_asked; }},
     {"hit.point_no_origin", "The hit point is t d: the origin is not added.", topic,
      [](Laws& laws) {
          laws.point = [](const Place&, const Step& step, const Vec&) {

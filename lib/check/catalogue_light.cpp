@@ -16,20 +16,6 @@ Spectrum divided(const Spectrum& a, const Spectrum& b) {
     return {by(a.r, b.r), by(a.g, b.g), by(a.b, b.b)};
 }
 
-/// The light with its fading exchanged.
-template <class Fade> void fade_by(Laws& laws, Fade) {
-    laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
-        return Fade{}(shine) / fading(shine) * model::diffuse(place, step, shine);
-    };
-    laws.specular = [](const Place& place, const Step& step, const Shine& shine) {
-        return Fade{}(shine) / fading(shine) * model::specular(place, step, shine);
-    };
-}
-
-double fall_off(double a, double b, double c, double d) {
-    return std::min(1.0, 1 / (a + b * d + c * d * d));
-}
-
 /// Both terms times a factor of the material and the light.
 template <class Factor> void scale_by(Laws& laws, Factor) {
     laws.diffuse = [](const Place& place, const Step& step, const Shine& shine) {
@@ -224,63 +210,19 @@ const MistakeRow rows[] = {
      [](Laws& laws) {
          laws.specular = [](const Place&, const Step&, const Shine&) { return Spectrum(0.0); };
      }},
-    {"lit.att_missing", "Lights do not fade with distance.", topic,
-     [](Laws& laws) { fade_by(laws, [](const Shine&) { return 1.0; }); }},
-    {"lit.att_twice", "Lights fade twice: the factor is squared.", topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) { return fading(shine) * fading(shine); });
-     }},
-    {"lit.att_d4",
-     "Lights fade by d squared where d belongs.",
+    {"lit.averaged_over_lights",
+     "The lights are averaged and not added.",
      topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             const auto& f = shine.ready->attenuation;
-             const double d = shine.distance;
-             return shine.ready->directional ? 1.0 : fall_off(f.a, f.b, f.c, d * d);
-         });
-     },
-     {[](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             const double d = shine.distance;
-             return shine.ready->directional ? 1.0 : std::min(1.0, 1 / (d * d * d * d));
-         });
-     }}},
-    {"lit.att_swapped", "The linear and the quadratic coefficient of a light are exchanged.", topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             const auto& f = shine.ready->attenuation;
-             return shine.ready->directional ? 1.0 : fall_off(f.a, f.c, f.b, shine.distance);
-         });
-     }},
-    {"lit.att_no_square", "The quadratic coefficient is multiplied by d and not by d squared.",
-     topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             const auto& f = shine.ready->attenuation;
-             return shine.ready->directional ? 1.0 : fall_off(f.a, f.b + f.c, 0, shine.distance);
-         });
-     }},
-    {"lit.att_inverse_square", "Lights fade with 1 / d^2, whatever the scene says.", topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             return shine.ready->directional ? 1.0 : 1 / (shine.distance * shine.distance);
-         });
-     }},
-    {"lit.att_unclamped", "The factor of fading is not limited to 1.", topic,
-     [](Laws& laws) {
-         fade_by(laws, [](const Shine& shine) {
-             const auto& f = shine.ready->attenuation;
-             const double d = shine.distance;
-             return shine.ready->directional ? 1.0 : 1 / (f.a + f.b * d + f.c * d * d);
-         });
-     }},
-    {"lit.averaged_over_lights", "The lights are averaged and not added.", topic,
      [](Laws& laws) {
          scale_by(laws, [](const Place& place, const Step&, const Shine&) {
              return 1.0 / static_cast<double>(place.lights.size());
          });
-     }},
+     },
+     {[](Laws& laws) {
+         scale_by(laws, [](const Place& place, const Step&, const Shine&) {
+             return 1.0 / std::sqrt(static_cast<double>(place.lights.size()));
+         });
+     }}},
     {"lit.only_last_light", "Only the last light counts: each overwrites the one before.", topic,
      [](Laws& laws) {
          scale_by(laws, [](const Place& place, const Step&, const Shine& shine) {

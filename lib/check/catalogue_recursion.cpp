@@ -9,6 +9,8 @@ namespace {
 
 constexpr std::string_view topic = "recursion";
 
+constexpr int most_levels = 64;  // of any tree
+
 template <int more> std::optional<Reason> deeper(const Place& place, const Step& step, RayKind kind,
                                                  const Spectrum& weight) {
     Step other = step;
@@ -25,6 +27,15 @@ Terms less_local(const Terms& terms, const Spectrum& k) {
     return less;
 }
 
+/// Where a branch is grown, its light alone.
+Terms without_local(const Terms& terms) {
+    Terms bare = terms;
+    if (terms.reflected.grown || terms.refracted.grown) {
+        bare.ambient = bare.diffuse = bare.specular = Spectrum(0.0);
+    }
+    return bare;
+}
+
 const MistakeRow rows[] = {
     {"rec.depth_plus_one", "The tree is one level too deep.", topic,
      [](Laws& laws) { laws.why_not = deeper<1>; }},
@@ -34,9 +45,9 @@ const MistakeRow rows[] = {
      "What the reflected branch has counted, ++depth, the refracted branch has lost.", topic,
      [](Laws& laws) {
          laws.level = [](const Place& place, const Step& step, RayKind kind) {
-             const bool second =
-                 kind == RayKind::refracted && !model::why_not(place, step, RayKind::reflected,
-                                                               weight_of(step, RayKind::reflected));
+             const bool second = kind == RayKind::refracted &&
+                                 !model::why_not(place, step, RayKind::reflected,
+                                                 model::weight(step, RayKind::reflected));
              return step.level + (second ? 2 : 1);
          };
      }},
@@ -48,6 +59,20 @@ const MistakeRow rows[] = {
                                    Spectrum(std::max(1.0, largest_component(weight))));
          };
      }},
+    {"rec.never_ends",
+     "What a branch adds is not made less by its coefficient: the tree does not end by itself.",
+     topic,
+     [](Laws& laws) { laws.weight = [](const Step& step, RayKind) { return step.weight; }; },
+     {[](Laws& laws) {
+         laws.weight = [](const Step& step, RayKind) { return step.weight; };
+         laws.why_not = [](const Place& place, const Step& step, RayKind kind,
+                           const Spectrum& weight) {
+             Step first = step;
+             first.level = step.level < most_levels ? 0 : place.scene().settings.max_depth;
+             return model::why_not(place, first, kind,
+                                   Spectrum(std::max(1.0, largest_component(weight))));
+         };
+     }}},
     {"rec.max_distance_ignored", "Rays are not ended by the greatest distance.", topic,
      [](Laws& laws) {
          laws.interval = [](const Place& place, const Step& step) {
@@ -79,8 +104,12 @@ const MistakeRow rows[] = {
              return step.kind == RayKind::primary ? 1.0 : place.attenuation.at(step.path + step.t);
          };
      }},
+    {"num.nan",
+     "A number is none: 0 is divided by 0, a vector of length 0 made unit, or the root taken of a "
+     "negative number.",
+     "the limits of numbers", [](Laws&) {}},
     {"rec.lerp",
-     "Reflection replaces local light: (1 - kr) local is added.",
+     "Reflection replaces local light: (1 - kr) local is added, or (1 - kr - kt) local.",
      topic,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
@@ -98,23 +127,30 @@ const MistakeRow rows[] = {
               return model::combine(place, step,
                                     mirrors ? less_local(terms, step.ready->kr) : terms);
           };
+      },
+      [](Laws& laws) {
+          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
+              return model::combine(place, step, less_local(terms, step.kr + step.kt));
+          };
       }}},
-    {"rec.lerp_both", "Local light is multiplied by 1 - kr - kt.", topic,
+    {"rec.complement_missing",
+     "Local light is added whole where the course adds what reflection leaves of it.", topic,
+     [](Laws& laws) { laws.combine = model::combine; }},
+    {"rec.overwrites",
+     "What is reflected or refracted overwrites local light.",
+     topic,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
-             return model::combine(place, step, less_local(terms, step.kr + step.kt));
+             return model::combine(place, step, without_local(terms));
          };
-     }},
-    {"rec.overwrites", "What is reflected or refracted overwrites local light.", topic,
-     [](Laws& laws) {
+     },
+     {[](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
-             Terms bare = terms;
-             if (terms.reflected.grown || terms.refracted.grown) {
-                 bare.ambient = bare.diffuse = bare.specular = Spectrum(0.0);
-             }
-             return model::combine(place, step, bare);
+             Terms last = without_local(terms);
+             last.reflected.grown = terms.reflected.grown && !terms.refracted.grown;
+             return model::combine(place, step, last);
          };
-     }},
+     }}},
     {"rec.last_branch_only", "The refracted light overwrites the reflected.", topic,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {

@@ -60,8 +60,11 @@ const MistakeRow rows[] = {
              return step.direction - 2 * inner(step.direction, n) * n;
          };
      }},
-    {"refl.no_offset", "The reflected ray meets the surface that it starts on.", topic,
-     [](Laws& laws) { laws.meet = own_surface<RayKind::reflected>; }},
+    {"refl.no_offset",
+     "The reflected ray meets the surface that it starts on.",
+     topic,
+     [](Laws& laws) { laws.meet = own_surface<RayKind::reflected>; },
+     {may_meet_own_start<RayKind::reflected>}},
     {"refl.offset_inside",
      "The reflected ray starts a little below the surface and meets it again.", topic,
      on_the_wrong_side<RayKind::reflected>},

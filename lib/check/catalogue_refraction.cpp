@@ -3,6 +3,7 @@
 
 #include "check/branch_laws.h"
 #include "check/catalogue.h"
+#include "check/not_unit.h"
 #include "trace/shading.h"
 
 namespace raytree::check {
@@ -13,12 +14,16 @@ constexpr std::string_view topic = "refraction";
 double ratio(const Step& step) { return step.eta1 / step.eta2; }
 double root(const Step& step) { return std::sqrt(std::max(0.0, step.cos2_transmitted)); }
 
-/// Total reflection does not stop the refracted ray.
-std::optional<Reason> through_total(const Place& place, const Step& step, RayKind kind,
-                                    const Spectrum& weight) {
-    Step passing = step;
-    passing.cos2_transmitted = 1;
-    return model::why_not(place, passing, kind, weight);
+Spectrum rest_of(const Spectrum& k) { return {1 - k.r, 1 - k.g, 1 - k.b}; }
+
+/// A direction of no numbers meets nothing.
+template <bool total_only> void without_numbers(Laws& laws) {
+    laws.why_not = through_total;
+    laws.meet = [](const Place& place, const Step& step, Interval<double> interval) {
+        const bool none = step.kind == RayKind::refracted && step.parent &&
+                          (!total_only || step.parent->total_reflection());
+        return none ? std::nullopt : model::meet(place, step, interval);
+    };
 }
 
 const MistakeRow rows[] = {
@@ -158,9 +163,18 @@ const MistakeRow rows[] = {
     {"refr.tir_zero", "Under total reflection k is set to 0: a ray along the surface.", topic,
      [](Laws& laws) {
          laws.why_not = through_total;
-         laws.refracted = [](const Place&, const Step& step) {
-             return mixed(step, ratio(step), ratio(step) * step.cosine() - root(step));
-         };
+         laws.refracted = grazing_where_total;
+     }},
+    {"refr.tir_nan",
+     "Under total reflection the root is taken of a negative number: the ray has no direction.",
+     topic, without_numbers<true>},
+    {"refr.library_mismatch",
+     "The refracted direction has no numbers: a library's function wants or gives something else.",
+     topic, without_numbers<false>},
+    {"refr.not_normalised", "Snell's law is used with a direction that is not unit.", topic,
+     [](Laws& laws) {
+         laws.primary = primary_not_unit;
+         laws.refracted = refracted_not_unit;
      }},
     {"refr.tir_straight", "Under total reflection the ray goes on straight.", topic,
      [](Laws& laws) {
@@ -197,8 +211,11 @@ const MistakeRow rows[] = {
                         : model::coefficient(place, step, kind);
          };
      }},
-    {"refr.no_offset", "The refracted ray meets the surface that it starts on.", topic,
-     [](Laws& laws) { laws.meet = own_surface<RayKind::refracted>; }},
+    {"refr.no_offset",
+     "The refracted ray meets the surface that it starts on.",
+     topic,
+     [](Laws& laws) { laws.meet = own_surface<RayKind::refracted>; },
+     {may_meet_own_start<RayKind::refracted>}},
     {"refr.offset_outside",
      "The refracted ray starts a little before the surface and meets it again.", topic,
      on_the_wrong_side<RayKind::refracted>},
@@ -213,19 +230,17 @@ const MistakeRow rows[] = {
      [](Laws& laws) {
          share_by<RayKind::refracted>(laws, [](const Step&, const Spectrum& k) { return k * k; });
      }},
-    {"refr.one_minus", "What is refracted is multiplied by 1 - kr instead of kt.", topic,
+    {"refr.one_minus",
+     "What is refracted is multiplied by 1 - kr, or 1 - kt, instead of kt.",
+     topic,
      [](Laws& laws) {
-         share_by<RayKind::refracted>(laws, [](const Step& step, const Spectrum&) {
-             const Spectrum& k = step.material->kr;
-             return Spectrum(1 - k.r, 1 - k.g, 1 - k.b);
-         });
-     }},
-    {"refr.one_minus_kt", "What is refracted is multiplied by 1 - kt instead of kt.", topic,
-     [](Laws& laws) {
-         share_by<RayKind::refracted>(laws, [](const Step&, const Spectrum& k) {
-             return Spectrum(1 - k.r, 1 - k.g, 1 - k.b);
-         });
-     }},
+         share_by<RayKind::refracted>(
+             laws, [](const Step& step, const Spectrum&) { return rest_of(step.material->kr); });
+     },
+     {[](Laws& laws) {
+         share_by<RayKind::refracted>(laws,
+                                      [](const Step&, const Spectrum& k) { return rest_of(k); });
+     }}},
     {"refr.kr_for_kt", "What is refracted is multiplied by kr instead of kt.", topic,
      [](Laws& laws) {
          share_by<RayKind::refracted>(

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "check/branch_laws.h"
 #include "check/catalogue.h"
 
 namespace raytree::check {
@@ -88,6 +89,26 @@ void shows_reversed(Laws& laws) {
     };
 }
 
+/// The first object of the list that the ray meets decides, whether it lies before the light or
+/// behind it.
+Passage first_of_the_list(const Place& place, const Step& step, const Shine& shine) {
+    const std::vector<Hit<double>> hits =
+        between(place, step.point, shine.towards, step.surface, Real<double>::infinity, any_hit);
+    if (!wanted(place) || hits.empty()) {
+        return {};
+    }
+    const Hit<double> first = *std::ranges::min_element(hits, {}, &Hit<double>::primitive);
+    return first.t < shine.distance ? model::through(place, std::vector{first}) : Passage{};
+}
+
+/// Of all that lies before the light the nearest alone counts.
+Passage nearest_alone(const Place& place, const Step& step, const Shine& shine) {
+    const std::vector<Hit<double>> hits =
+        between(place, step.point, shine.towards, step.surface, shine.distance, any_hit);
+    return wanted(place) && !hits.empty() ? model::through(place, std::vector{hits.front()})
+                                          : Passage{};
+}
+
 const MistakeRow rows[] = {
     {"shd.missing", "There are no shadows: no light is ever blocked.", topic,
      [](Laws& laws) {
@@ -95,8 +116,11 @@ const MistakeRow rows[] = {
      }},
     {"shd.inverted", "Only what lies in shadow is lit.", topic,
      [](Laws& laws) { laws.shadow = inverted; }},
-    {"shd.no_offset", "The shadow ray meets the surface that it starts on.", topic,
-     [](Laws& laws) { laws.shadow = own_surface; }},
+    {"shd.no_offset",
+     "The shadow ray meets the surface that it starts on.",
+     topic,
+     [](Laws& laws) { laws.shadow = own_surface; },
+     {may_meet_own_start<RayKind::shadow>}},
     {"shd.offset_along_dir_wrong_side",
      "The shadow ray starts a little further along the incoming ray, below the surface.", topic,
      [](Laws& laws) {
@@ -210,6 +234,11 @@ const MistakeRow rows[] = {
              return passage;
          };
      }},
+    {"shd.first_hit_only_then_compare",
+     "One hit alone is compared with the light's distance, whatever else lies in between.",
+     topic,
+     [](Laws& laws) { laws.shadow = first_of_the_list; },
+     {[](Laws& laws) { laws.shadow = nearest_alone; }}},
     {"shd.only_first_light", "Only the first light casts shadows.", topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {

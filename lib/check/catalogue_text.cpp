@@ -38,6 +38,39 @@ std::string mistakes_text() {
     return text;
 }
 
+/// What students get wrong besides, and why it is no row of the catalogue.
+struct Unseen {
+    std::string_view id, why;
+};
+constexpr Unseen unseen[] = {
+    {"refl.geometric_normal",
+     "d - 2 (d . n) n is the same for n and -n: a normal that is not turned leaves no trace."},
+    {"refl.not_normalised",
+     "Reflection keeps the length of d: with a unit normal r is as long as d is, and what comes of "
+     "a d that is not unit is `cam.dir_not_normalised`."},
+    {"refr.schlick_wrong_cos",
+     "The model has constants kr and kt and no Fresnel term. Shares that depend on the angle are "
+     "seen as wrong intensities, and not named."},
+    {"rec.same_pixel_state",
+     "What one pixel leaves behind for the next is seen in pictures, or in the trees of several "
+     "pixels, not in one tree."},
+    {"parse.whitespace", "A program that dies on a blank line prints no tree."},
+    {"shd.normalised_tmax1", "Called `shd.tmax_one_unit` here."},
+    {"out.local_clamped", "Called `lit.clamped_early` here."},
+    {"out.quantise_255.9",
+     "With `out.quantise_round`: never more than one level off, which pictures may be; see the "
+     "axis "
+     "`quantise`."},
+};
+
+std::string unseen_text() {
+    std::string text = "\n## What is not named\n\n| mistake | why |\n| --- | --- |\n";
+    for (const Unseen& each : unseen) {
+        text += "| `" + std::string(each.id) + "` | " + std::string(each.why) + " |\n";
+    }
+    return text;
+}
+
 std::string conventions_text() {
     std::string text =
         "\n## Conventions\n\nThe first value of each axis is the lecture's.\n\n"
@@ -71,7 +104,7 @@ std::string profiles_text() {
 std::string catalogue_markdown() {
     return "# What raytree check knows\n\nMade from the tables in `lib/check` by `raytree check "
            "--catalogue`; a test holds it to them.\n\n" +
-           mistakes_text() + conventions_text() + profiles_text();
+           mistakes_text() + unseen_text() + conventions_text() + profiles_text();
 }
 
 }  // namespace raytree::check

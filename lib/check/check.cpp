@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "check/catalogue.h"
 #include "check/diagnose.h"
 #include "check/forge.h"
 #include "check/tree_overlay.h"
@@ -208,7 +209,17 @@ Report Checker::check(const Submission& submission) const {
         return report;
     }
     look_for_missing_fields(submission, options_.required, report.findings, report.remarks);
+    for (const NotNumber& none : submission.not_numbers) {
+        report.findings.push_back(
+            of_the_whole(none.place, none.key + " is not a number (NaN, infinity or null)"));
+    }
     judge_by_fitting(submission, report);
+    const bool explained = !report.mistakes.empty() && tells_enough(report);
+    if (!submission.not_numbers.empty() && !explained && options_.name_mistakes) {
+        NamedMistake none = named_mistake(*find_mistake("num.nan"));
+        none.rays = std::min(report.rays, submission.not_numbers.size());
+        report.mistakes = {std::move(none)};
+    }
     if (report.compared == 0) {
         report.findings.push_back(
             of_the_whole("rays", "it gives no quantity that could be compared"));

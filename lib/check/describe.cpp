@@ -42,6 +42,27 @@ constexpr std::array<FieldText, field_count> field_texts = {{
     {"termination", "the reason why neither branch is grown", "recursion"},
 }};
 
+/// By which the finding's quantity is computed.
+std::string formula_of(const Finding& finding) {
+    const bool primary = finding.kind == RayKind::primary;
+    if (finding.field == Field::origin) {
+        return primary ? "the eye" : "the point that the parent hits";
+    }
+    if (finding.field == Field::direction) {
+        switch (finding.kind) {
+            case RayKind::primary:
+                return "normalize(P - E), P the pixel's point on the image plane";
+            case RayKind::reflected:
+                return "d - 2 (d . n) n";
+            case RayKind::refracted:
+                return "eta d + (eta c1 - sqrt(1 - s2)) n, made unit";
+            default:
+                return "normalize(light - point)";
+        }
+    }
+    return std::string(text_of(finding.field).formula);
+}
+
 std::string number(double x) {
     char text[40];
     std::snprintf(text, sizeof text, "%.6g", x);
@@ -134,8 +155,7 @@ std::string rationale(const Finding& finding) {
     if (finding.follows_from) {
         return "It follows from its own inputs, which are wrong by an earlier difference.";
     }
-    return "It does not follow from the ray's own inputs by " +
-           std::string(text_of(finding.field).formula) +
+    return "It does not follow from the ray's own inputs by " + formula_of(finding) +
            " (lecture: " + std::string(text_of(finding.field).topic) + ").";
 }
 
@@ -158,7 +178,7 @@ Hints hints(const Finding& finding, const Report& report) {
     } else {
         const FieldText& text = text_of(finding.field);
         hints.quantity = "Its " + std::string(text.name) + " does not follow from its own inputs.";
-        hints.formula = std::string(text.name) + " = " + std::string(text.formula);
+        hints.formula = std::string(text.name) + " = " + formula_of(finding);
     }
     return hints;
 }

@@ -177,15 +177,6 @@ std::vector<Candidate> pairs(const Search& search, const std::vector<Candidate>&
     return found;
 }
 
-NamedMistake named(const MistakeRow& row) {
-    NamedMistake mistake;
-    mistake.id = row.id;
-    mistake.text = row.text;
-    mistake.topic = row.topic;
-    mistake.lesson = lesson_of(row.id).name();
-    return mistake;
-}
-
 std::size_t explained(const Search& search, const Candidate& candidate) {
     return static_cast<std::size_t>(std::ranges::count_if(
         search.rays(), [&](std::size_t ray) { return !candidate.rays.contains(ray); }));
@@ -208,6 +199,26 @@ void join_causes(Report& report) {
 
 }  // namespace
 
+bool tells_enough(const Report& report) {
+    std::size_t decisions = 0;
+    for (const Finding& finding : report.findings) {
+        if (finding.problem == Problem::differs && finding.found.numbers.size > 0) {
+            return true;
+        }
+        decisions += finding.problem != Problem::whole && !finding.follows_from ? 1 : 0;
+    }
+    return decisions > 2;
+}
+
+NamedMistake named_mistake(const MistakeRow& row) {
+    NamedMistake mistake;
+    mistake.id = row.id;
+    mistake.text = row.text;
+    mistake.topic = row.topic;
+    mistake.lesson = lesson_of(row.id).name();
+    return mistake;
+}
+
 void diagnose(const Place& place, const Names& names, const Laws& laws,
               const Submission& submission, const ReplayOptions& options, Report& report) {
     const Search search(place, names, laws, submission, options, report);
@@ -227,7 +238,7 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
         if (!two.empty()) {
             const MistakeRow& second = *two.front().rows.back();
             for (const MistakeRow* row : two.front().rows) {
-                report.mistakes.push_back(named(*row));
+                report.mistakes.push_back(named_mistake(*row));
                 report.mistakes.back().rays = explained(search, two.front());
             }
             for (const Candidate& other : alone) {
@@ -246,8 +257,8 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
             return;  // it explains too little to be named
         }
     }
-    NamedMistake best = named(*alone.front().rows.front());
-    best.sure = fewest == 0 && as_good == 1;
+    NamedMistake best = named_mistake(*alone.front().rows.front());
+    best.sure = fewest == 0 && as_good == 1 && tells_enough(report);
     best.rays = explained(search, alone.front());
     for (std::ptrdiff_t k = 1; k < as_good; ++k) {
         best.ties.emplace_back(alone[static_cast<std::size_t>(k)].rows.front()->id);

@@ -127,7 +127,7 @@ class Forge {
 
     std::optional<Reason> branch(std::size_t id, const Step& step, RayKind kind,
                                  Terms::Branch& into) {
-        const Spectrum weight = weight_of(step, kind);
+        const Spectrum weight = laws_.weight(step, kind);
         auto reason = laws_.why_not(place_, step, kind, weight);
         if (!reason && tree_.rays.size() >= place_.scene().settings.ray_budget) {
             reason = Reason::ray_budget;
@@ -180,6 +180,7 @@ RayTree<double> forge_tree(const Place& place, const Laws& laws, int i, int j) {
     const Beam beam = laws.primary(place, primary);
     primary.origin = beam.origin;
     primary.direction = model::unit(beam.direction);
+    primary.length = length(beam.direction);
     Forge(place, laws, tree).grow(primary, std::nullopt);
     tree.intensity = tree.rays.front().intensity;
     if (!isfinite(tree.intensity)) {

@@ -186,6 +186,11 @@ Spectrum miss(const Place& place, const Step& step) {
     return step.kind == RayKind::primary ? place.background : place.secondary_background;
 }
 
+Spectrum weight(const Step& from, RayKind kind) {
+    const Spectrum& k = kind == RayKind::reflected ? from.kr : from.kt;
+    return from.attenuation * (k * from.weight);
+}
+
 Spectrum combine(const Place&, const Step&, const Terms& terms) {
     Spectrum sum = terms.ambient + terms.diffuse + terms.specular;
     for (const Terms::Branch& branch : {terms.reflected, terms.refracted}) {
@@ -204,7 +209,7 @@ const Laws& model_laws() {
         model::indices,   model::fade,     model::coefficient, model::ambient, model::towards,
         model::faces,     model::sent,     model::shadow,      model::diffuse, model::specular,
         model::why_not,   model::start,    model::offset,      model::level,   model::reflected,
-        model::refracted, model::miss,     model::combine};
+        model::refracted, model::miss,     model::combine,     model::weight};
     return laws;
 }
 
@@ -261,11 +266,6 @@ void settle(const Place& place, const Laws& laws, Step& step) {
     step.attenuation = laws.fade(place, step);
 }
 
-Spectrum weight_of(const Step& from, RayKind kind) {
-    const Spectrum& k = kind == RayKind::reflected ? from.kr : from.kt;
-    return from.attenuation * (k * from.weight);
-}
-
 Step branch_of(const Place& place, const Laws& laws, const Step& from, RayKind kind,
                const Spectrum& weight) {
     Step step;
@@ -279,6 +279,7 @@ Step branch_of(const Place& place, const Laws& laws, const Step& from, RayKind k
     step.origin = laws.start(place, from, kind);
     const bool there = length(step.origin - from.point) <= 1e-9 * largest_component(from.point);
     step.leaving = there ? from.surface : no_primitive;
+    step.length = kind == RayKind::reflected ? from.length : 1;
     step.direction = model::unit(kind == RayKind::reflected ? laws.reflected(place, from)
                                                             : laws.refracted(place, from));
     step.media = from.media;

@@ -30,6 +30,7 @@ struct Step {
     int level = 1;
     int pixel_i = 0, pixel_j = 0;
     Vec origin{}, direction{};
+    double length = 1;  ///< that the direction has in programs that do not make it unit
     Spectrum weight{1.0};
     PrimitiveId leaving = no_primitive;
     double path = 0;                   ///< length from the eye to the origin
@@ -122,6 +123,9 @@ struct Laws {
     Vec (*refracted)(const Place&, const Step&);
     Spectrum (*miss)(const Place&, const Step&);
     Spectrum (*combine)(const Place&, const Step&, const Terms&);
+    Spectrum (*weight)(const Step&, RayKind);  ///< of a branch
+    /// By kind: whether a ray may meet the very surface it starts on, as rounding has it.
+    std::array<bool, 4> may_meet_start{};
 };
 
 const Laws& model_laws();
@@ -145,6 +149,7 @@ Vec reflected(const Place&, const Step&);
 Vec refracted(const Place&, const Step&);
 Spectrum miss(const Place&, const Step&);
 Spectrum combine(const Place&, const Step&, const Terms&);
+Spectrum weight(const Step&, RayKind);
 
 /// What of the light comes through the surfaces between a point and the light: all those hits that
 /// lie in between, sorted by t.
@@ -171,6 +176,5 @@ void settle(const Place& place, const Laws& laws, Step& step);
 /// The branch that grows from a hit, its direction and origin by the laws.
 Step branch_of(const Place& place, const Laws& laws, const Step& from, RayKind kind,
                const Spectrum& weight);
-Spectrum weight_of(const Step& from, RayKind kind);
 
 }  // namespace raytree::check

@@ -23,6 +23,9 @@ class PictureChecker {
 
     /// Never throws: what cannot be read is reported so.
     Report check(std::string_view bytes, const std::string& name) const;
+    /// The picture, the truth by the report's profile, and where they differ, side by side, as PNG;
+    /// empty where it is no picture. The report is the one of these bytes.
+    std::string overlay(std::string_view bytes, const Report& report) const;
 
   private:
     Report judge(const ReadPicture& picture, const std::string& name) const;

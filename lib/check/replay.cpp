@@ -44,6 +44,7 @@ void Replay::run() {
     const Beam beam = laws_.primary(place_, step);
     step.origin = beam.origin;
     step.direction = model::unit(beam.direction);
+    step.length = length(beam.direction);
     follow({0, options_.truth ? 0 : none}, step, clean);
 }
 
@@ -224,6 +225,9 @@ Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
     }
     see(at, Field::direction, step.direction, 1, taint);
     step.direction = model::unit(step.direction);
+    if (submission_.units[at.ray] != 1) {
+        step.length = submission_.units[at.ray];
+    }
     see(at, Field::weight, step.weight, std::max(darkest_, largest_component(step.weight)), taint);
     if (offset || length(step.origin - due) > rounding(step.parent ? reach(*step.parent) : 1)) {
         step.leaving = no_primitive;  // it starts beside the surface

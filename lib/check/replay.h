@@ -98,6 +98,7 @@ class Replay {
                     const Interval<double>& interval, Taint& taint);
     std::optional<Hit<double>> along_the_ray(const Step& step, const Interval<double>& interval,
                                              const TreeHit<double>& given) const;
+    bool meets_start(const Step& from, RayKind kind, const std::string& object, double t) const;
     void surface(At at, Step& step, Taint& taint);
     Taint lights(At at, const Step& step, Terms& terms, Taint taint);
     Taint light(At at, const Step& step, std::size_t light, Terms& terms, Taint taint);

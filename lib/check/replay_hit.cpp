@@ -29,6 +29,12 @@ bool Replay::meet_given(At at, Step& step, const std::optional<Hit<double>>& hit
                         const Interval<double>& interval, Taint& taint) {
     const TreeHit<double>& given = *submission_.tree.rays[at.ray].hit;
     const bool named = submission_.gives(at.ray, Field::object);
+    if (step.parent && named && submission_.gives(at.ray, Field::t) &&
+        meets_start(*step.parent, step.kind, given.object, given.t)) {
+        count(at.ray, Field::object);
+        land(place_, laws_, step, step.parent->primitive, given.t);
+        return true;
+    }
     const bool same = hit && (!named || names_.means(given.object, hit->primitive));
     if (same) {
         if (named) {
@@ -57,6 +63,13 @@ bool Replay::meet_given(At at, Step& step, const std::optional<Hit<double>>& hit
     }
     land(place_, laws_, step, *primitive, t);
     return true;
+}
+
+/// Whether by the laws a ray that starts at the hit `from` may meet this so near to its start.
+bool Replay::meets_start(const Step& from, RayKind kind, const std::string& object,
+                         double t) const {
+    return laws_.may_meet_start[static_cast<std::size_t>(kind)] &&
+           abs(t) <= 1e-6 * std::max(1.0, reach(from)) && names_.means(object, from.primitive);
 }
 
 /// Where the ray meets the object that the submission names, nearest to where it says.
@@ -90,7 +103,13 @@ void Replay::surface(At at, Step& step, Taint& taint) {
                {front ? 0 : 1, front ? "front" : "back"}, taint);
         step.front = front;
     }
-    double cosine = step.cosine();
+    // Of a direction of another length the product may be taken as it is.
+    const double stretched = step.length * step.cosine();
+    const double given = submission_.tree.rays[at.ray].hit
+                             ? submission_.tree.rays[at.ray].hit->cos_incident
+                             : step.cosine();
+    const bool is_stretched = abs(given - stretched) < abs(given - step.cosine());
+    double cosine = is_stretched ? stretched : step.cosine();
     Taint own = taint;
     see(at, Field::cos_incident, cosine, 1, own);
     settle(place_, laws_, step);

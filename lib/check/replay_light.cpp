@@ -113,6 +113,11 @@ void Replay::see_blocker(At at, const Step& step, Shine& shine, const Passage& p
         return id == no_primitive ? std::int64_t{-1} : static_cast<std::int64_t>(id);
     };
     const auto& given = submission_.tree.rays[at.ray].shadow->blocked_by;
+    if (given && meets_start(step, RayKind::shadow, given->object, given->t)) {
+        count(at.ray, Field::blocked_by);
+        shine.transmittance = Spectrum(0.0);
+        return;
+    }
     const bool blocked = passage.blocker != no_primitive;
     const bool agreed = given && blocked && names_.means(given->object, passage.blocker) &&
                         abs(given->t - passage.t) <= largest_offset * std::max(1.0, reach(step));

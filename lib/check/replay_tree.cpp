@@ -72,7 +72,7 @@ void Replay::report_second_children(At at, Taint taint) {
 Replay::Grown Replay::grow(At at, const Step& step, RayKind kind, Taint taint) {
     Grown grown;
     grown.taint = taint;
-    const Spectrum weight = weight_of(step, kind);
+    const Spectrum weight = laws_.weight(step, kind);
     grown.reason = laws_.why_not(place_, step, kind, weight);
     if (!grown.reason && rays_ >= place_.scene().settings.ray_budget) {
         grown.reason = Reason::ray_budget;

@@ -67,11 +67,16 @@ struct Group {
 /// The largest first, of equals by id.
 std::vector<Group> groups_of(const std::vector<Summary>& all);
 
+/// How much a report for people gives away: where to look, also which quantity, also its formula,
+/// or all of it, with the numbers that are due and the mistake's name.
+enum class Telling { where, quantity, formula, all };
+
 /// A report is its head, its parts with the separator between them, and its tail.
 class ReportSheet {
   public:
-    explicit ReportSheet(ReportFormat format, std::size_t most_findings = 12)
-        : format_(format), most_findings_(most_findings) {}
+    explicit ReportSheet(ReportFormat format, Telling telling = Telling::all,
+                         std::size_t most_findings = 12)
+        : format_(format), telling_(telling), most_findings_(most_findings) {}
 
     std::string part(const Printed& of) const;
     std::string_view separator() const;
@@ -80,6 +85,7 @@ class ReportSheet {
 
   private:
     ReportFormat format_;
+    Telling telling_;
     std::size_t most_findings_;
 };
 

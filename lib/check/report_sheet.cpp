@@ -2,6 +2,8 @@
 #include <functional>
 #include <map>
 
+#include "check/catalogue.h"
+#include "check/picture_mistakes.h"
 #include "check/report.h"
 #include "check/report_json.h"
 #include "check/report_text.h"
@@ -37,6 +39,16 @@ double score_of(const std::vector<Summary>& all) {
                : 100 * (total > 0 ? earned / total : score / static_cast<double>(all.size()));
 }
 
+/// What is wrong, in words.
+std::string sentence_of(const std::string& id) {
+    if (const MistakeRow* const row = find_mistake(id)) {
+        return std::string(row->text);
+    }
+    const auto rows = picture_mistakes();
+    const auto row = std::ranges::find(rows, id, &PictureMistakeRow::id);
+    return row == rows.end() ? "" : std::string(row->text);
+}
+
 std::string words_of_all(const std::vector<Summary>& all) {
     if (all.size() < 2) {
         return "";
@@ -44,7 +56,8 @@ std::string words_of_all(const std::vector<Summary>& all) {
     const std::string of = " of " + std::to_string(all.size());
     std::string text = std::to_string(count_of(all, "pass")) + of + " pass\n";
     for (const Group& group : groups_of(all)) {
-        text += "  " + std::to_string(group.files.size()) + of + ": " + group.id + '\n';
+        text += "  " + std::to_string(group.files.size()) + of + ": " + sentence_of(group.id) +
+                " [" + group.id + "]\n";
     }
     return text;
 }
@@ -82,13 +95,13 @@ std::string ReportSheet::part(const Printed& of) const {
         case ReportFormat::json:
             return indented(json_of(of), "    ");
         case ReportFormat::gradescope:
-            return indented(gradescope_of(of, words_of(of, most_findings_)), "    ");
+            return indented(gradescope_of(of, words_of(of, telling_, most_findings_)), "    ");
         case ReportFormat::junit:
             return junit_case_of(of);
         case ReportFormat::csv:
             return csv_row_of(of);
         default:
-            return words_of(of, most_findings_);
+            return words_of(of, telling_, most_findings_);
     }
 }
 

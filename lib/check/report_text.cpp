@@ -56,8 +56,25 @@ std::string conventions_text(const Printed& of) {
     return text;
 }
 
+/// A finding as far as it is told, line by line.
+std::string told(const PrintedFinding& finding, Telling telling) {
+    if (finding.of_the_whole) {
+        return finding.text + '\n';
+    }
+    switch (telling) {
+        case Telling::where:
+            return finding.where + '\n';
+        case Telling::quantity:
+            return finding.where + ' ' + finding.what + '\n';
+        case Telling::formula:
+            return finding.where + ' ' + finding.what + "\n     " + finding.formula + '\n';
+        default:
+            return finding.text + "\n     " + finding.formula + '\n';
+    }
+}
+
 /// Causes with all that hangs on them counted, not listed.
-std::string causes_text(const Printed& of, std::size_t most) {
+std::string causes_text(const Printed& of, Telling telling, std::size_t most) {
     std::string text;
     std::size_t listed = 0;
     for (std::size_t k = 0; k < of.findings.size(); ++k) {
@@ -68,7 +85,7 @@ std::string causes_text(const Printed& of, std::size_t most) {
         if (++listed > most) {
             return text + "  and " + std::to_string(of.causes() - most) + " more\n";
         }
-        text += "  " + std::to_string(listed) + ". " + finding.text + '\n';
+        text += "  " + std::to_string(listed) + ". " + told(finding, telling);
         const auto followers = std::ranges::count_if(
             of.findings, [k](const PrintedFinding& f) { return f.follows_from == k; });
         if (followers > 0 && of.compares == "pixels") {
@@ -79,9 +96,6 @@ std::string causes_text(const Printed& of, std::size_t most) {
             text += "     " + std::to_string(followers) +
                     (followers == 1 ? " other difference follows" : " other differences follow") +
                     " from it\n";
-        }
-        if (!finding.of_the_whole) {
-            text += "     " + finding.formula + '\n';
         }
     }
     return text;
@@ -143,9 +157,11 @@ std::string first_cause(const Printed& of) {
 
 }  // namespace
 
-std::string words_of(const Printed& of, std::size_t most_findings) {
-    std::string text = headline(of) + '\n' + conventions_text(of) + causes_text(of, most_findings) +
-                       mistakes_text(of) + points_text(of);
+std::string words_of(const Printed& of, Telling telling, std::size_t most_findings) {
+    // What fits the whole of it comes before what it does to each ray.
+    std::string text = headline(of) + '\n' + conventions_text(of) +
+                       (telling == Telling::all ? mistakes_text(of) : "") +
+                       causes_text(of, telling, most_findings) + points_text(of);
     for (const std::string& remark : of.remarks) {
         text += "  (" + remark + ")\n";
     }

@@ -7,7 +7,7 @@
 /// Pieces of reports for people and for spreadsheets.
 namespace raytree::check {
 
-std::string words_of(const Printed& of, std::size_t most_findings);
+std::string words_of(const Printed& of, Telling telling, std::size_t most_findings);
 std::string csv_row_of(const Printed& of);
 std::string junit_case_of(const Printed& of);
 

@@ -169,8 +169,10 @@ Submission parse_submission(const std::string& text, const std::string& file) {
     if (text.size() > large) {
         alone = std::unique_lock(large_file());
     }
-    ReadTree read = read_tree_json(text, file);
+    std::string with_numbers = text;
     Submission submission;
+    submission.not_numbers = take_out_not_numbers(with_numbers);
+    ReadTree read = read_tree_json(with_numbers, file);
     submission.file = file;
     submission.tree = std::move(read.tree);
     submission.given = std::move(read.given);
@@ -179,6 +181,11 @@ Submission parse_submission(const std::string& text, const std::string& file) {
     submission.remarks = std::move(read.warnings);
     submission.has_camera = read.has_camera;
     submission.has_settings = read.has_settings;
+    if (!submission.gives(0, Field::intensity) && !is_zero(submission.tree.intensity)) {
+        // The tree's is its primary ray's.
+        submission.tree.rays[0].intensity = submission.tree.intensity;
+        submission.given[0].set(place_of(Field::intensity));
+    }
     submission.children = children_of(submission.tree);
     submission.has_shadow_rays = std::ranges::any_of(
         submission.tree.rays, [](const auto& ray) { return ray.shadow.has_value(); });

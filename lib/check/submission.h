@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "check/not_numbers.h"
 #include "tree/given.h"
 #include "tree/ray_tree.h"
 
@@ -36,6 +37,7 @@ struct Submission {
     bool has_shadow_rays = false;  ///< else their absence says nothing
     bool has_camera = false, has_settings = false;
     std::vector<std::string> remarks;
+    std::vector<NotNumber> not_numbers;  ///< where its numbers are none
     Precision precision;
 
     bool gives(std::size_t ray, Field field) const { return given[ray][place_of(field)]; }

@@ -13,10 +13,18 @@ void of_shadow(const TreeRay<double>& ray, const RayTree<double>& tree,
                std::set<std::string>& features) {
     const auto& hit = tree.rays[*ray.parent].hit;
     const std::string from = hit ? object_of(*hit) : "something";
+    const Rgb<double>& passes = ray.shadow->transmittance;
     if (ray.shadow->blocked_by) {
         features.insert("a shadow ray from " + from + " to " + ray.shadow->light + " is blocked");
         features.insert("a shadow ray is blocked");
+        features.insert("a shadow ray meets something");
     } else {
+        if (std::min({passes.r, passes.g, passes.b}) < 1) {
+            features.insert("a shadow ray from " + from + " to " + ray.shadow->light +
+                            " goes through something");
+            features.insert("a shadow ray goes through something");
+            features.insert("a shadow ray meets something");
+        }
         features.insert(from + " is lit by " + ray.shadow->light);
     }
     const bool highlight = std::max({ray.specular.r, ray.specular.g, ray.specular.b}) > 1e-3;

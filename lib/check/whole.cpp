@@ -110,6 +110,17 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
         findings.push_back(
             of_the_whole("settings", "its " + setting + " is not that of the scene"));
     }
+    const Rgb<double>& whole = tree.intensity;
+    const Rgb<double>& primary = tree.rays.front().intensity;
+    const auto same = [&](auto change) {
+        return near(whole.r, change(primary.r)) && near(whole.g, change(primary.g)) &&
+               near(whole.b, change(primary.b));
+    };
+    if (!same([](double x) { return x; }) &&
+        !same([](double x) { return std::clamp(x, 0.0, 1.0); })) {
+        findings.push_back(
+            of_the_whole("intensity", "the tree's intensity is not that of its primary ray"));
+    }
     return true;
 }
 

@@ -48,6 +48,7 @@ TEST_CASE("each convention judges by itself: a tree grown by it passes under it 
         const RayTree<double> tree = check::forge_tree(book.place, book.laws, 210, 286);
         check::CheckOptions options;
         options.profile = "lecture";
+        options.name_mistakes = false;
         const check::Checker checker(scene, options);
         RayTree<double> handed_in = tree;
         handed_in.camera = scene.camera;

@@ -48,8 +48,6 @@ TEST_CASE("what is no tree is unreadable") {
         {"id": 2, "parent": 1, "kind": "reflected"})")) == Verdict::unreadable);
     CHECK(verdict_on(tree_of(R"({"kind": "primary", "hit": {"t": "5.3"}})")) ==
           Verdict::unreadable);
-    CHECK(verdict_on(tree_of(R"({"kind": "primary", "intensity": [NaN, 0, 0]})")) ==
-          Verdict::unreadable);
     CHECK(verdict_on(tree_of(R"({"kind": "primary", "intensity": [1e999, 0, 0]})")) ==
           Verdict::unreadable);
 }
@@ -63,6 +61,29 @@ TEST_CASE("what is a tree but says nothing, or only nonsense, fails") {
         "hit": {"object": "no such", "t": 1e308, "normal": [0, 0, 0]}})")) == Verdict::fail);
     CHECK(verdict_on(R"({"format": "raytree/1.0", "pixel": [9999, 0], "rays": [)" + primary +
                      "]}") == Verdict::fail);
+}
+
+TEST_CASE("a number that is none is pointed at, however it is written") {
+    for (const std::string none : {"NaN", "nan", "-nan", "Infinity", "-inf", "null", "\"NaN\"",
+                                   "\"-infinity\"", "nan(ind)"}) {
+        CAPTURE(none);
+        const check::Report report = checker().check_text(
+            tree_of("\n  {\"kind\": \"primary\", \"direction\": [0, " + none + ", 1]}"),
+            "none.json");
+        CHECK(report.verdict == Verdict::fail);
+        REQUIRE_FALSE(report.findings.empty());
+        CHECK(report.findings.front().subject == "line 2, column 36");
+        CHECK(report.findings.front().reason.starts_with("direction is not a number"));
+        REQUIRE(report.mistakes.size() == 1);
+        CHECK(report.mistakes.front().id == "num.nan");
+        CHECK_FALSE(report.mistakes.front().sure);
+    }
+    // Names may be any words.
+    std::string text = tree_of(R"({"id": "nan", "kind": "primary", "t": 1, "direction": null,
+        "hit": {"object": "inf", "t": NaN}})");
+    CHECK(check::take_out_not_numbers(text).size() == 1);
+    CHECK(text == tree_of(R"({"id": "nan", "kind": "primary", "t": 1, "direction": null,
+        "hit": {"object": "inf", "t": null}})"));
 }
 
 TEST_CASE("the tree of another pixel fails, and that of another scene") {
@@ -95,6 +116,19 @@ TEST_CASE("a great many rays, and a very deep tree, are looked through in time")
                  "\",\"intensity\":[1,1,1],\"direction\":[0,1,0.5]}";
     }
     CHECK(verdict_on(tree_of(bushy)) == Verdict::fail);
+}
+
+TEST_CASE("the tree's intensity is that of its primary ray") {
+    const Scene scene = data_scene("glass-ball");
+    RayTree<double> tree = record_tree(World<double>(scene), 210, 286);
+    CHECK(check_tree(checker(), tree).verdict == Verdict::pass);
+    tree.intensity = Rgb<double>(tree.intensity.b, tree.intensity.g, tree.intensity.r);
+    const check::Report report = check_tree(checker(), tree);
+    CHECK(report.verdict == Verdict::fail);
+    CHECK(report.findings.front().subject == "intensity");
+    // Where nothing else is said, it is compared.
+    CHECK(verdict_on(R"({"format": "raytree/1.0", "pixel": [210, 286], "intensity": [9, 9, 9],
+        "rays": [{"kind": "primary"}]})") == Verdict::fail);
 }
 
 TEST_CASE("a file that is too large is refused unread") {

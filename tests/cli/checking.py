@@ -164,8 +164,69 @@ def reports(bench):
                  "r.txt")
 
 
+def rays_text(rays):
+    return '{"format": "raytree/1.0", "pixel": [16, 12], "rays": [' + ",".join(rays) + "]}"
+
+
+def hostile_files():
+    """Submissions that want to be large, and what is said of them."""
+    primary = '{"id": 0, "kind": "primary", "direction": [0, 0, -1]}'
+    fits = 15 << 20  # bytes: less than a submission may have
+    child = '{"id":%d,"parent":0,"kind":"shadow"}'
+    deep = '{"id":%d,"parent":%d,"kind":"refracted","direction":[0,1,0.5],"intensity":[1,1,1]}'
+    yield "a million rays", rays_text([primary, *(child % k for k in range(1, 10**6))]), "MB large"
+    yield "as many rays as fit", rays_text(
+        [primary, *(child % k for k in range(1, fits // len(child % 300000)))]), "fail"
+    yield "too deep", rays_text([primary, *(deep % (k, k - 1) for k in range(1, 100_000))]), (
+        "1000 levels")
+    yield "deep", rays_text([primary, *(deep % (k, k - 1) for k in range(1, 990))]), "fail"
+    yield "a circle", rays_text([primary, *(deep % (k, k % 90_000 + 1) for k in range(1, 90_001))]), (
+        "unreadable")
+    yield "brackets", "[" * fits, "nested too deep"
+    yield "one word", '{"format": "raytree/1.0", "generator": "' + "x" * fits + '"}', "unreadable"
+    yield "many keys", "{" + ",".join(f'"k{k}":{k}' for k in range(10**6)) + "}", "unreadable"
+    yield "numbers", rays_text(['{"kind":"primary","direction":[' + "1," * (fits // 2) + "1]}"]), (
+        "unreadable")
+    yield "numbers that are none", rays_text(
+        ['{"kind":"primary","direction":[' + "NaN," * (fits // 4) + "1]}"]), "fail"
+    yield "many mistakes", rays_text([primary, *(
+        '{"id":%d,"parent":0,"kind":"reflected","t":"x","hit":3}' % k for k in range(1, 10**5))]), (
+        "unreadable")
+
+
+def hostile(bench):
+    """Each ends in a finding or a message, within 10 s and 1 GiB."""
+    def judged(name, file, expected):
+        done, seconds, memory = bench.measured(f"check {file} --scene scene.json")
+        bench.check(f"{name}: said", done.returncode == 1 and expected.encode() in done.stdout
+                    and not done.stderr, (done.returncode, done.stdout[:300], done.stderr[:300]))
+        bench.check(f"{name}: within 10 s and 1 GiB",
+                    bench.slow or (seconds < 10 and memory < 1024),
+                    f"{seconds:.1f} s, {memory:.0f} MB")
+        return memory
+
+    for name, text, expected in hostile_files():
+        bench.write("hostile.json", text)
+        judged(name, "hostile.json", expected)
+    for name, expected in (("crowded", "fail"), ("bushy", "fail")):
+        judged(name, f"{name}.json", expected)
+    with open(bench.folder / "hostile.json", "wb") as file:
+        file.truncate(1 << 30)
+    judged("1 GB of nothing", "hostile.json", "1024 MB large")
+    (bench.folder / "hostile.png").write_bytes(b"\x89PNG\r\n\x1a\n" + b"\0" * (1 << 20))
+    judged("a picture that is none", "hostile.png", "unreadable")
+    # Many large ones at once need no more than a few.
+    (bench.folder / "large").mkdir()
+    for k in range(6):
+        bench.write(f"large/{k}.json", json.dumps(bushy(tree(bench))))
+    judged("a folder of large ones", "large", "0 of 6 pass")
+    (bench.folder / "hostile.json").unlink()
+    (bench.folder / "hostile.png").unlink()
+
+
 def checking(bench):
     inputs(bench)
+    hostile(bench)
     for name, command, code, out in CASES:
         bench.expect(name, "check " + command, code, out, "")
     for name, command, err in MISUSE:

@@ -2,6 +2,9 @@
 
 import io
 import json
+import os
+import shutil
+import subprocess
 import sys
 import tarfile
 import time
@@ -129,6 +132,35 @@ def merging(bench, right, dark):
                     hidden[:400])
     again = bench.run("check all/d.json all/c.json all/a.json all/b.json --scene scene.json")
     bench.check("in any order the same", again.stdout == single["text"], again.stdout)
+
+
+def batches(bench):
+    """A process for each file, by either of the two scripts, gives the report of one run."""
+    scripts = Path(__file__).resolve().parents[1] / "check" / "batch"
+    one = bench.run("check all --scene scene.json --as json").stdout
+    tools = {**os.environ, "PATH": f"{bench.raytree.parent}:{os.environ['PATH']}"}
+
+    def script(name, *words, **more):
+        return subprocess.run([scripts / name, *words], cwd=bench.folder, capture_output=True,
+                              env={**tools, **more}, timeout=60)
+
+    files = sorted(f"all/{p.name}" for p in (bench.folder / "all").iterdir())
+    bench.write("files.txt", "".join(f"{name}\n" for name in files))
+    for task in range(1, len(files) + 1):
+        done = script("slurm_array.sh", "files.txt", "scene.json", "parts",
+                      SLURM_ARRAY_TASK_ID=str(task))
+        bench.check(f"task {task} of an array", done.returncode == 0, done.stderr)
+    bench.expect("joining a folder of parts", "check --merge parts --as json -o array.json", 1, "",
+                 "", "array.json")
+    bench.run("check --merge parts --as json -o array.json")
+    bench.check("an array of tasks gives the report of one run",
+                (bench.folder / "array.json").read_bytes() == one)
+    if not shutil.which("parallel"):
+        print("skipped: GNU parallel is not on this machine")
+        return
+    done = script("parallel.sh", "all", "scene.json", "parallel report.json")
+    bench.check("GNU parallel gives the report of one run", done.returncode == 0
+                and (bench.folder / "parallel report.json").read_bytes() == one, done.stderr)
 
 
 RUBRIC = {"format": "raytree-rubric/1.0", "total": 20, "quantities": {"ambient": 4, "t": 0},
@@ -273,6 +305,7 @@ def homework(bench):
     bench.write("right.json", right)
     archives(bench, right, dark)
     merging(bench, right, dark)
+    batches(bench)
     rubrics(bench, dark)
     rendered(bench)
     drawings(bench)

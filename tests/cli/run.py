@@ -3,12 +3,14 @@
 cases.py and inputs.py, and its pictures against what is known of them (pictures.py)."""
 
 import argparse
+import os
 import re
 import resource
 import shlex
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import checking
@@ -47,6 +49,24 @@ class Bench:
         words = command if isinstance(command, list) else shlex.split(command)
         return subprocess.run([self.raytree, *words], cwd=self.folder, capture_output=True,
                               timeout=seconds * (10 if self.slow else 1))
+
+    def measured(self, command):
+        """(finished process, seconds, largest memory in MB) of a command."""
+        words = command if isinstance(command, list) else shlex.split(command)
+        started = time.monotonic()
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            process = subprocess.Popen([self.raytree, *words], cwd=self.folder, stdout=out,
+                                       stderr=err)
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            texts = []
+            for stream in (out, err):
+                stream.seek(0)
+                texts.append(stream.read())
+        done = subprocess.CompletedProcess(words, process.returncode, *texts)
+        # On a busy machine what the program itself has taken tells more than the clock.
+        seconds = min(time.monotonic() - started, used.ru_utime + used.ru_stime)
+        return done, seconds, used.ru_maxrss / 1024
 
     def files(self):
         return {p.relative_to(self.folder).as_posix(): (p.stat().st_mtime_ns, p.stat().st_size)

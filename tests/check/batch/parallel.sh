@@ -6,7 +6,9 @@ class=$1 scene=$2 report=$3
 shift 3
 parts=$(mktemp -d)
 trap 'rm -r "$parts"' EXIT
+export scene parts
 # Exit code 1 says that a submission is wrong; the report says which.
 find "$class" -name '*.json' | sort |
-    parallel --will-cite "raytree check {} --scene $scene --as json -o $parts/{#}.json $* || [ \$? = 1 ]"
-find "$parts" -name '*.json' | xargs raytree check --as json -o "$report" --merge || [ $? = 1 ]
+    parallel --will-cite \
+        'raytree check {} --scene "$scene" --threads 1 --as json -o "$parts"/{#}.json '"$*"' || [ $? = 1 ]'
+raytree check --as json -o "$report" --merge "$parts" || [ $? = 1 ]

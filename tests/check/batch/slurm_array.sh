@@ -3,7 +3,7 @@
 #   find class -name '*.json' | sort > files.txt
 #   sbatch --array=1-$(wc -l < files.txt) slurm_array.sh files.txt SCENE PARTS
 # and when all are done:
-#   raytree check --as json -o report.json --merge PARTS/*.json
+#   raytree check --as json -o report.json --merge PARTS
 #SBATCH --ntasks=1 --cpus-per-task=1 --mem=1G --time=5
 set -eu
 file=$(sed -n "${SLURM_ARRAY_TASK_ID}p" "$1")

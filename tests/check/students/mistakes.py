@@ -297,6 +297,7 @@ def beyond(name, least, secondary_only=False, primary_only=False):
 beyond("eps.too_large", lambda s: 0.25, secondary_only=True)
 beyond("hit.near_rule_on_secondary", lambda s: s.camera.near, secondary_only=True)
 beyond("hit.primary_without_near", lambda s: 0, primary_only=True)
+beyond("isect.bool_precedence", lambda s: 0, primary_only=True)
 
 
 def point_by(name, rule):
@@ -913,6 +914,78 @@ def _(s):
     s.branches = branches
 
 
+NOWHERE = (math.nan,) * 3
+
+
+def nowhere(name, when):
+    """The refracted direction is no numbers: it meets nothing, and is written as null."""
+
+    def plant(s):
+        if name == "refr.tir_nan":
+            book = s.branches
+            s.branches = lambda hit: [(k, f, False) for k, f, _ in book(hit)]
+        s.refracted = lambda ray, hit: (
+            NOWHERE if when(hit) else type(s).refracted(s, ray, hit))
+        met = s.finder.closest
+        s.finder.closest = lambda ray: None if math.isnan(ray.direction[0]) else met(ray)
+        of = s.branch
+
+        def branch(kind, record, ray, hit, weight):
+            if kind == "refracted" and when(hit):
+                return Ray(kind, ray.level + 1, record["id"], hit.point, NOWHERE, weight, hit.shape,
+                           hit.media_beyond, ray.path + hit.t)
+            return of(kind, record, ray, hit, weight)
+
+        s.branch = branch
+
+    planted.append((name, plant))
+
+
+nowhere("refr.tir_nan", lambda hit: hit.s2 > 1)
+nowhere("refr.library_mismatch", lambda hit: True)
+
+
+def long_primary(s):
+    """The primary direction is as long as it comes; t is in its units."""
+    s.primary_ray = lambda i, j: Ray(
+        "primary", 1, None, s.eye(i, j), s.primary_direction(i, j), s.white, None, (), 0.0)
+
+
+@mistake("cam.dir_not_normalised")
+def _(s):
+    long_primary(s)
+    book = s.refracted
+    s.refracted = lambda ray, hit: book(
+        ray._replace(direction=unit(ray.direction)),
+        hit._replace(c1=-dot(unit(ray.direction), hit.normal),
+                     s2=(hit.eta[0] / hit.eta[1]) ** 2 * (1 - dot(unit(ray.direction), hit.normal) ** 2)))
+
+
+@mistake("refr.not_normalised")
+def _(s):
+    long_primary(s)
+    s.viewer = lambda ray, hit: scale(-1, unit(ray.direction))
+
+
+@mistake("shd.first_hit_only_then_compare")
+def _(s):
+    """for each object: if it is hit, return whether that is nearer than the light."""
+
+    def shadow(hit, towards, distance):
+        for thing in s.scene.things:
+            met = [c for c in s.finder.crossings(hit.point, towards, hit.shape) if c[1] is thing]
+            if met:
+                first = min(met, key=lambda c: c[0])
+                if distance is None or first[0] < distance:
+                    light = (s.black if s.settings["shadows"] == "opaque"
+                             else first[1].material.kt)
+                    return (first if max(light) == 0 else None), light
+                return None, s.white
+        return None, s.white
+
+    s.shadow = shadow
+
+
 # Recursion, background, output
 
 
@@ -927,6 +1000,16 @@ def depth_by(name, more):
 
 depth_by("rec.depth_plus_one", 1)
 depth_by("rec.depth_minus_one", -1)
+
+
+@mistake("rec.never_ends")
+def _(s):
+    """The share that is handed on stays whole: only the depth ends the tree."""
+    book = s.branch_reason
+    s.branch_reason = lambda kind, factor, total, level, weight: book(
+        kind, factor, total, level, s.white)
+    of = s.branch
+    s.branch = lambda kind, record, ray, hit, weight: of(kind, record, ray, hit, ray.weight)
 
 combine_by("rec.lerp", lambda s, hit, local, b: summed(
     times(rest(hit.material.kr), summed(*local)), *added(b)))

@@ -69,14 +69,32 @@ def intensities(document):
     return only(without_shadow_rays(document), "intensity")
 
 
+def stretch(ray, factor):
+    """A direction of another length; t is in its units."""
+    ray["direction"] = ray["direction"] and [factor * x for x in ray["direction"]]
+    for part in (ray.get("hit"), ray.get("blocked_by")):
+        if part:
+            part["t"] /= factor
+
+
+def bare(document):
+    """What a small program prints: rays in one another, words for ids, a parameter for t."""
+    document = json.loads(json.dumps(colours(document)))
+    rays = document["rays"]
+    for ray in rays:
+        stretch(ray, 0.3 + 0.7 * (ray["id"] % 5))
+        ray["children"] = [c for c in rays if c.get("parent") == ray["id"]]
+    for ray in rays:
+        ray["id"] = f"ray-{ray['id']}"
+        ray.pop("parent", None)
+    return rounded({**document, "rays": rays[:1]}, 9)
+
+
 def nested(document):
     """Rays in one another, without ids, directions of another length, in reverse order."""
     rays = json.loads(json.dumps(document["rays"]))
     for ray in rays:
-        ray["direction"] = [2.5 * x for x in ray["direction"]]
-        for part in (ray.get("hit"), ray.get("blocked_by")):
-            if part:
-                part["t"] /= 2.5
+        stretch(ray, 2.5)
         ray["children"] = [c for c in rays if c["parent"] == ray["id"]][::-1]
     for ray in rays:
         for key in ("id", "parent", "level"):
@@ -104,6 +122,7 @@ FORMS = {
     "colours": colours,
     "colours, six digits": lambda d: six_digits(colours(d)),
     "nested": nested,
+    "bare": bare,
     "positions": positions,
     "intensities": intensities,
 }
@@ -124,12 +143,12 @@ def numbers(value):
 
 
 def comparable(document):
-    """Without names of rays, and without shadow rays that add nothing."""
+    """Without names of rays, and without shadow rays that add nothing, blocked ones too: a program
+    may ask lights behind the surface."""
     rays = []
     for ray in document["rays"]:
         idle = ray["kind"] == "shadow" and max(
-            map(abs, (*ray.get("diffuse", [1]), *ray.get("specular", [1])))) < 1e-6 and not (
-                ray.get("blocked_by"))
+            map(abs, (*ray.get("diffuse", [1]), *ray.get("specular", [1])))) < 1e-6
         if not idle:
             rays.append({k: v for k, v in ray.items() if k not in UNSEEN})
     return list(numbers(rays))
@@ -152,11 +171,19 @@ def finite(document):
     return all(math.isfinite(x) for x in numbers(document) if isinstance(x, (int, float)))
 
 
+def without_nan(value):
+    """Directions that are no numbers are null, as in the languages that print them so."""
+    if isinstance(value, dict):
+        return {k: None if k == "direction" and math.isnan(v[0]) else without_nan(v)
+                for k, v in value.items()}
+    return [without_nan(v) for v in value] if isinstance(value, (list, tuple)) else value
+
+
 def grown(source, plant, pixel):
     """The tree, or none where the program never ends or fails."""
     try:
         document = Student(source, plant).tree(*pixel)
-        document = json.loads(json.dumps(document))
+        document = json.loads(json.dumps(without_nan(document)))
     except (TooLarge, ZeroDivisionError, OverflowError, ValueError, RecursionError, IndexError):
         return None
     return document if finite(document) else None
@@ -234,7 +261,7 @@ def plant_all(raytree, spot, form, table, correct, options):
                 wrong = grown(source, plant, pixel)
                 if wrong is None:
                     continue
-                seen = form if form != "nested" else "everything"
+                seen = {"nested": "everything", "bare": "colours"}.get(form, form)
                 if differ(FORMS[seen](wrong), FORMS[seen](grown(source, None, pixel))):
                     wrong = FORMS[form](wrong)
                     key = f"{k}-{pixel[0]}-{pixel[1]}"
