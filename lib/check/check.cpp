@@ -19,12 +19,21 @@ constexpr std::size_t most_truths = 64;  // kept for the next submission of the 
 constexpr std::size_t rays_for_profiles = 2000;  // enough to tell courses apart
 constexpr std::size_t few_causes = 20;           // that rounding alone may make
 
+constexpr std::size_t most_children = 1000;
+
 constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
 
 /// How colours are rounded to 8 bits is seen in pictures alone.
 Choices seen_in_trees(Choices choices) {
     std::erase_if(choices, [](const Convention* choice) { return choice->axis == "quantise"; });
     return choices;
+}
+
+/// Whether a ray has more children than lights and branches explain. No mistake of the catalogue
+/// makes such a tree, and looking for one would go through them each time.
+bool is_crowded(const Submission& submission) {
+    return std::ranges::any_of(
+        submission.children, [](const auto& children) { return children.size() > most_children; });
 }
 
 }  // namespace
@@ -149,7 +158,7 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
     if (judged->causes() > 0 && report.profile_asked_for) {
         look_for_conventions(submission, book.choices, report);
     }
-    if (judged->causes() > 0 && options_.name_mistakes) {
+    if (judged->causes() > 0 && options_.name_mistakes && !is_crowded(submission)) {
         diagnose(book.place, book.names, book.laws, submission, options, report);
     }
     for (const NamedMistake& mistake : report.mistakes) {
