@@ -124,19 +124,19 @@ template <class T> class Intersector {
     template <class Count> std::optional<Hit<T>> closest(const Ray<T>& ray, PrimitiveId leaving,
                                                          Interval<T> interval, Count& count) const;
 
+    template <class Count> std::optional<Hit<T>> closest(const Query<T>& query, Count& count) const;
+
     /// Whether there is a hit at all.
     template <class Count>
     bool any(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval, Count& count) const {
-        return occluder(ray, leaving, interval, count) != no_primitive;
+        return occluder({ray, leaving, interval}, count) != no_primitive;
     }
 
     /// Some shape that is hit, not always the first; no_primitive where there is none.
-    template <class Count> PrimitiveId occluder(const Ray<T>& ray, PrimitiveId leaving,
-                                                Interval<T> interval, Count& count) const;
+    template <class Count> PrimitiveId occluder(const Query<T>& query, Count& count) const;
 
     /// Whether this very shape is hit.
-    bool meets(PrimitiveId shape, const Ray<T>& ray, PrimitiveId leaving,
-               Interval<T> interval) const;
+    bool meets(PrimitiveId shape, const Query<T>& query) const;
 
     /// The first hit of each query; its primitive is no_primitive where there is none.
     /// `hits` is as long as `queries`.
@@ -198,14 +198,19 @@ void Intersector<T>::visit_hits(const Ray<T>& ray, PrimitiveId leaving, Interval
 template <class T> template <class Count>
 std::optional<Hit<T>> Intersector<T>::closest(const Ray<T>& ray, PrimitiveId leaving,
                                               Interval<T> interval, Count& count) const {
+    return closest({ray, leaving, interval}, count);
+}
+
+template <class T> template <class Count>
+std::optional<Hit<T>> Intersector<T>::closest(const Query<T>& query, Count& count) const {
     std::optional<Hit<T>> best;
     if constexpr (in_double) {
-        const Hit<T> hit = search_.closest({ray, leaving, interval}, count.total());
+        const Hit<T> hit = search_.closest(query, count.total());
         if (hit.primitive != no_primitive) {
             best = hit;
         }
     } else {
-        visit_hits(ray, leaving, interval, count, [&](const Hit<T>& hit) {
+        visit_hits(query.ray, query.leaving, query.interval, count, [&](const Hit<T>& hit) {
             if (!best || hit < *best) {
                 best = hit;
             }
@@ -216,13 +221,12 @@ std::optional<Hit<T>> Intersector<T>::closest(const Ray<T>& ray, PrimitiveId lea
 }
 
 template <class T> template <class Count>
-PrimitiveId Intersector<T>::occluder(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval,
-                                     Count& count) const {
+PrimitiveId Intersector<T>::occluder(const Query<T>& query, Count& count) const {
     if constexpr (in_double) {
-        return search_.any({ray, leaving, interval}, count.total());
+        return search_.any(query, count.total());
     } else {
         PrimitiveId met = no_primitive;
-        visit_hits(ray, leaving, interval, count, [&](const Hit<T>& hit) {
+        visit_hits(query.ray, query.leaving, query.interval, count, [&](const Hit<T>& hit) {
             met = hit.primitive;
             return T(-1);
         });
@@ -230,11 +234,10 @@ PrimitiveId Intersector<T>::occluder(const Ray<T>& ray, PrimitiveId leaving, Int
     }
 }
 
-template <class T> bool Intersector<T>::meets(PrimitiveId shape, const Ray<T>& ray,
-                                              PrimitiveId leaving, Interval<T> interval) const {
-    const Roots<T> roots = shapes().intersect(shape, ray, leaving);
+template <class T> bool Intersector<T>::meets(PrimitiveId shape, const Query<T>& query) const {
+    const Roots<T> roots = shapes().intersect(shape, query.ray, query.leaving);
     for (int k = 0; k < roots.count; ++k) {
-        if (interval.contains(roots.t[static_cast<std::size_t>(k)])) {
+        if (query.interval.contains(roots.t[static_cast<std::size_t>(k)])) {
             return true;
         }
     }
@@ -250,7 +253,7 @@ template <class T> void Intersector<T>::closest(std::span<const Query<T>> querie
         NoTestCount count;
         for (std::size_t k = 0; k < queries.size(); ++k) {
             const Query<T>& query = queries[k];
-            hits[k] = closest(query.ray, query.leaving, query.interval, count).value_or(Hit<T>{});
+            hits[k] = closest(query, count).value_or(Hit<T>{});
         }
     }
 }

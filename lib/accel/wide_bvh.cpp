@@ -63,6 +63,9 @@ class WideBvhBuilder {
           count_(items.size()),
           references_(std::make_unique_for_overwrite<Reference[]>(items.size())),
           binary_(std::make_unique_for_overwrite<BinaryNode[]>(2 * items.size())) {
+        for (std::size_t k = 0; k < WideBvh::kinds; ++k) {
+            reciprocal_[k] = ((std::uint64_t(1) << 32) - 1) / config.leaf_items[k] + 1;
+        }
         place_in_unit_space(items);
     }
 
@@ -94,12 +97,14 @@ class WideBvhBuilder {
         }
         std::uint32_t count() const { return items[0] + items[1] + items[2] + items[3]; }
     };
-    static constexpr int max_bins = 32;
+    static constexpr int max_bins = 16;
     using Bins = std::array<Bin, max_bins>;
+    /// Items up to a bin on one side, or where `bin` is negative those up to a doubled centre.
     struct Cut {
         int axis = -1;
         int bin = 0;
         float cost = infinite;
+        float center = 0;
     };
     /// The items of a node: their boxes' union, that of their centres (doubled), how many there
     /// are of each kind.
@@ -109,7 +114,9 @@ class WideBvhBuilder {
     };
 
     static constexpr int deepest_heuristic_split = 40;
-    static constexpr std::size_t parallel_items = 4096;
+    static constexpr std::size_t parallel_items = 1024;
+    /// So few are not put into bins: a cut may fall between any two.
+    static constexpr std::size_t few_items = 8;
 
     void place_in_unit_space(std::span<const WideBvh::Item> items) {
         Box all;
@@ -188,6 +195,12 @@ class WideBvhBuilder {
     std::size_t divide(std::size_t begin, std::size_t end, const Range& range, const Cut& cut) {
         Reference* const from = &references_[begin];
         Reference* const to = from + (end - begin);
+        if (cut.axis >= 0 && cut.bin < 0) {
+            Reference* const middle = std::partition(from, to, [&](const Reference& reference) {
+                return reference.twice_center()[cut.axis] <= cut.center;
+            });
+            return static_cast<std::size_t>(middle - &references_[0]);
+        }
         if (cut.axis >= 0) {
             const Scale scale(range.centers, config_.bins);
             Reference* const middle = std::partition(from, to, [&](const Reference& reference) {
@@ -235,8 +248,12 @@ class WideBvhBuilder {
 
     Cut best_cut(std::size_t begin, std::size_t end, const FloatBox& centers) const {
         Cut best;
-        if (end - begin == 2) {
-            best = cut_of_two(begin, centers);
+        if (end - begin <= few_items) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (can_be_cut(centers.max[axis] - centers.min[axis])) {
+                    cut_few(begin, end - begin, axis, best);
+                }
+            }
             return best;
         }
         const Scale scale(centers, config_.bins);
@@ -258,14 +275,40 @@ class WideBvhBuilder {
         return best;
     }
 
-    Cut cut_of_two(std::size_t begin, const FloatBox& centers) const {
-        const Lanes size = centers.max - centers.min;
-        const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-        if (!can_be_cut(size[axis])) {
-            return {};
+    /// The best cut across an axis, between any two of a few items.
+    void cut_few(std::size_t begin, std::size_t count, int axis, Cut& best) const {
+        struct Placed {
+            float center;
+            const Reference* reference;
+        };
+        std::array<Placed, few_items> items;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Reference& reference = references_[begin + k];
+            const float center = reference.twice_center()[axis];
+            std::size_t place = k;
+            for (; place > 0 && items[place - 1].center > center; --place) {
+                items[place] = items[place - 1];
+            }
+            items[place] = {center, &reference};
         }
-        return {axis, 0,
-                references_[begin].box.half_area() + references_[begin + 1].box.half_area()};
+        const auto add = [](Bin& side, const Placed& item) {
+            side.box.include(item.reference->box);
+            ++side.items[item.reference->kind];
+        };
+        std::array<float, few_items> right_cost{};
+        Bin side;
+        for (std::size_t k = count - 1; k > 0; --k) {
+            add(side, items[k]);
+            right_cost[k] = cost(side);
+        }
+        side = {};
+        for (std::size_t k = 0; k + 1 < count; ++k) {
+            add(side, items[k]);
+            const float total = cost(side) + right_cost[k + 1];
+            if (total < best.cost && items[k].center < items[k + 1].center) {
+                best = {axis, -1, total, items[k].center};
+            }
+        }
     }
 
     void sweep(const Bins& bins, int axis, Cut& best) const {
@@ -281,7 +324,7 @@ class WideBvhBuilder {
             side.include(bins[k]);
             const float total = cost(side) + right_cost[k + 1];
             if (total < best.cost) {
-                best = {axis, static_cast<int>(k), total};
+                best = {axis, static_cast<int>(k), total, 0};
             }
         }
     }
@@ -293,9 +336,15 @@ class WideBvhBuilder {
         }
         std::uint32_t leaves = 0;
         for (std::size_t k = 0; k < WideBvh::kinds; ++k) {
-            leaves += (side.items[k] + config_.leaf_items[k] - 1) / config_.leaf_items[k];
+            leaves += leaves_of(side.items[k], k);
         }
         return side.box.half_area() * static_cast<float>(leaves);
+    }
+
+    /// How many leaves so many items of a kind fill: divided by a product, exact below 2^29.
+    std::uint32_t leaves_of(std::uint32_t items, std::size_t kind) const {
+        return static_cast<std::uint32_t>(
+            (items + config_.leaf_items[kind] - 1) * reciprocal_[kind] >> 32);
     }
 
     std::uint32_t collapse(std::uint32_t root) {
@@ -374,6 +423,8 @@ class WideBvhBuilder {
     std::unique_ptr<Reference[]> references_;
     std::unique_ptr<BinaryNode[]> binary_;
     std::atomic<std::uint32_t> used_{0};
+    std::array<std::uint64_t, WideBvh::kinds>
+        reciprocal_;  ///< of leaf_items, times 2^32, rounded up
 };
 
 WideBvh::WideBvh(std::span<const Item> items, const Config& config,

@@ -254,33 +254,6 @@ template <class T> std::size_t ShapeSet<T>::bytes() const {
            held(vertex_normals_) + held(cones_) + held(transforms_) + held(polygon_boxes_);
 }
 
-template <class T> template <ShapeFacts facts>
-SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) const {
-    const Primitive primitive = (*this)[id];
-    const auto at = [&](const Ray<T>& r) {
-        switch (primitive.kind) {
-            case ShapeKind::sphere:
-                return raytree::surface_at(spheres_[primitive.shape], r, t);
-            case ShapeKind::polygon:
-                return raytree::surface_at(polygons_[primitive.shape], r, t);
-            case ShapeKind::triangle: {
-                VertexNormals<T> normals;
-                const bool smooth = facts.interpolated_normals && normals_of(primitive, normals);
-                return raytree::surface_at(triangle(primitive), smooth ? &normals : nullptr, r, t);
-            }
-            default:
-                return raytree::surface_at(cones_[primitive.shape], r, t);
-        }
-    };
-    if (!facts.transforms || primitive.transform < 0) {
-        return at(ray);
-    }
-    const AffineMap<T>& map = transforms_[static_cast<std::size_t>(primitive.transform)];
-    const SurfacePoint<T> own = at(map.ray_to_own_space(ray));
-    return {map.point_to_world(own.point), map.normal_to_world(own.geometric_normal),
-            map.normal_to_world(own.shading_normal)};
-}
-
 template <class T> Box ShapeSet<T>::bounds(PrimitiveId id) const {
     const Primitive primitive = (*this)[id];
     Box box;
@@ -321,16 +294,5 @@ template <class T> Box ShapeSet<T>::bounds(PrimitiveId id) const {
 template class ShapeSet<float>;
 template class ShapeSet<double>;
 template class ShapeSet<Quad>;
-
-#define RAYTREE_INSTANTIATE(T, transforms, normals)                                    \
-    template SurfacePoint<T> ShapeSet<T>::surface_at<ShapeFacts{transforms, normals}>( \
-        PrimitiveId, const Ray<T>&, T) const;
-RAYTREE_INSTANTIATE(float, true, true)
-RAYTREE_INSTANTIATE(Quad, true, true)
-RAYTREE_INSTANTIATE(double, true, true)
-RAYTREE_INSTANTIATE(double, true, false)
-RAYTREE_INSTANTIATE(double, false, true)
-RAYTREE_INSTANTIATE(double, false, false)
-#undef RAYTREE_INSTANTIATE
 
 }  // namespace raytree

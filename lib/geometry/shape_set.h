@@ -144,4 +144,35 @@ Roots<T> ShapeSet<T>::intersect(PrimitiveId id, const Ray<T>& ray, PrimitiveId l
         transforms_[static_cast<std::size_t>(primitive.transform)].ray_to_own_space(ray));
 }
 
+template <class T> template <ShapeFacts facts>
+SurfacePoint<T> ShapeSet<T>::surface_at(PrimitiveId id, const Ray<T>& ray, T t) const {
+    const Primitive primitive = (*this)[id];
+    const auto at = [&](const Ray<T>& r) {
+        switch (primitive.kind) {
+            case ShapeKind::sphere:
+                return raytree::surface_at(spheres_[primitive.shape], r, t);
+            case ShapeKind::polygon:
+                return raytree::surface_at(polygons_[primitive.shape], r, t);
+            case ShapeKind::triangle: {
+                VertexNormals<T> normals;
+                const bool smooth = facts.interpolated_normals && normals_of(primitive, normals);
+                return raytree::surface_at(triangle(primitive), smooth ? &normals : nullptr, r, t);
+            }
+            default:
+                return raytree::surface_at(cones_[primitive.shape], r, t);
+        }
+    };
+    if (!facts.transforms || primitive.transform < 0) {
+        return at(ray);
+    }
+    const AffineMap<T>& map = transforms_[static_cast<std::size_t>(primitive.transform)];
+    const SurfacePoint<T> own = at(map.ray_to_own_space(ray));
+    return {map.point_to_world(own.point), map.normal_to_world(own.geometric_normal),
+            map.normal_to_world(own.shading_normal)};
+}
+
+extern template class ShapeSet<float>;
+extern template class ShapeSet<double>;
+extern template class ShapeSet<Quad>;
+
 }  // namespace raytree

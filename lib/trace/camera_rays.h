@@ -11,7 +11,13 @@ template <class T> class CameraRays {
     CameraRays(const Camera& camera, PixelSample sample);
 
     /// The primary ray of pixel (i, j): column from the left, row from the top, both from 0.
-    Ray<T> primary(int i, int j) const;
+    Ray<T> primary(int i, int j) const {
+        Ray<T> ray;
+        primary(i, j, ray);
+        return ray;
+    }
+    /// The same, written where it stays.
+    void primary(int i, int j, Ray<T>& ray) const;
 
     /// The smallest t that a primary ray of this direction sees.
     T near_along(const Vec3<T>& direction) const {
@@ -56,9 +62,13 @@ template <class T> CameraRays<T>::CameraRays(const Camera& camera, PixelSample s
     }
 }
 
-template <class T> Ray<T> CameraRays<T>::primary(int i, int j) const {
+template <class T>
+[[gnu::always_inline]] inline void CameraRays<T>::primary(int i, int j, Ray<T>& ray) const {
     const Vec3<T> across = along(Vec3<T>(xp(i) * right_.vec()), yp(j), up_);
-    return {eye_, UnitVec3<T>::of(forward_.vec() + across).vec(), T(0)};
+    ray.origin = eye_;
+    ray.direction = UnitVec3<T>::of(forward_.vec() + across).vec();
+    ray.origin_error = 0;
+    ray.going = Going::unknown;
 }
 
 }  // namespace raytree

@@ -12,10 +12,10 @@
 namespace raytree {
 
 template <class T> struct RayStart {
-    RayKind kind = RayKind::primary;
-    int level = 1;
-    Ray<T> ray;
-    Rgb<T> weight{T(1)};
+    RayKind kind;
+    int level;
+    const Ray<T>& ray;
+    Rgb<T> weight;
 };
 
 template <class T> struct HitEvent {

@@ -26,13 +26,14 @@ template <class T, Facts facts> class BlockTracer {
         count_ = 0;
         for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
             for (int i = pixels.begin_i; i < pixels.end_i; ++i) {
-                queries_[count_++] = tracer_.primary(i, j);
+                tracer_.primary(i, j, primary_[count_++]);
             }
         }
-        world_.shapes.closest(std::span(queries_).first(count_), std::span(hits_).first(count_),
+        world_.shapes.closest(std::span(primary_).first(count_), std::span(hits_).first(count_),
                               Together::coherent);
         for (std::size_t k = 0; k < count_; ++k) {
-            answers_[k] = {queries_[k], hits_[k], {}, {}, true, {}, {}};
+            answers_[k].query = &primary_[k];
+            answers_[k].hit = hits_[k];
         }
         ask_lights();
         std::size_t k = 0;
@@ -76,8 +77,8 @@ template <class T, Facts facts> class BlockTracer {
             const PrimaryAnswer<T>& answer = answers_[k];
             const PrimitiveId shape = answer.hit.primitive;
             if (shape != no_primitive && tracer_.sends_shadow_ray(shape, answer.lights[light])) {
-                queries_[asked] = tracer_.shadow_query(answer.surface->point, answer.front, shape,
-                                                       answer.lights[light]);
+                tracer_.shadow_query(answer.surface->point, answer.front, shape,
+                                     answer.lights[light], queries_[asked]);
                 asked_of_[asked++] = k;
             }
         }
@@ -96,7 +97,8 @@ template <class T, Facts facts> class BlockTracer {
     std::vector<Illumination<T>> lights_;  ///< of each pixel's hit
     std::vector<std::uint8_t> hidden_;
     std::size_t count_ = 0;  ///< of the pixels
-    std::array<Query<T>, most> queries_;
+    std::array<Query<T>, most> primary_;
+    std::array<Query<T>, most> queries_;  ///< from their hits to one light
     std::array<Hit<T>, most> hits_;
     std::array<PrimaryAnswer<T>, most> answers_;
     std::array<std::size_t, most> asked_of_;

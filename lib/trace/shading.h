@@ -17,6 +17,24 @@ template <class T> struct Illumination {
     bool in_front() const { return cosine > 0; }
 };
 
+/// A vector taken apart: what `length` and `UnitVec3::of` say of it, which have their steps in
+/// common. It must be finite; of no length, its direction means nothing.
+template <class T> struct LengthAndDirection {
+    T length;
+    Vec3<T> direction;
+};
+
+template <class T>
+[[gnu::always_inline]] inline LengthAndDirection<T> length_and_direction(const Vec3<T>& v) {
+    const T scale = largest_component(v);
+    if (!(scale > 0)) {
+        return {scale, v};
+    }
+    const Vec3<T> scaled = v / scale;
+    const T length = sqrt(inner(scaled, scaled));
+    return {scale * length, scaled / length};
+}
+
 template <class T>
 [[gnu::always_inline]] inline Illumination<T> illuminate(const WorldLight<T>& light,
                                                          const Vec3<T>& point, const Vec3<T>& n) {
@@ -24,19 +42,20 @@ template <class T>
     if (light.directional) {
         result.towards = light.towards;
     } else {
-        const Vec3<T> to_light = light.position - point;
-        result.distance = length(to_light);
-        if (!(result.distance > 0)) {
+        const auto [distance, direction] = length_and_direction<T>(light.position - point);
+        result.distance = distance;
+        if (!(distance > 0)) {
             return result;  // the light is on the point itself: it has no direction
         }
-        result.towards = UnitVec3<T>::of(to_light).vec();
+        result.towards = direction;
     }
     result.cosine = inner(n, result.towards);
     return result;
 }
 
 /// `2 (n . v) n - v`, for a unit `n`: v mirrored about n.
-template <class T> Vec3<T> mirrored(const Vec3<T>& v, const Vec3<T>& n) {
+template <class T>
+[[gnu::always_inline]] inline Vec3<T> mirrored(const Vec3<T>& v, const Vec3<T>& n) {
     return along(Vec3<T>(-v), 2 * inner(n, v), n);
 }
 
@@ -61,9 +80,12 @@ template <class T> [[gnu::always_inline]] inline LocalLight<T> local_light(
     const Rgb<T>& transmittance) {
     const T g = light.directional ? T(1) : light.attenuation.at(at.distance);
     const Rgb<T> arriving = g * (light.intensity * transmittance);
-    const T h = specular_cosine(model, n, at.towards, Vec3<T>(-viewing));
-    return {at.cosine * (material.diffuse * arriving),
-            pow(h, material.shininess) * (material.specular * arriving)};
+    LocalLight<T> adds{at.cosine * (material.diffuse * arriving), {}};
+    if (!is_zero(material.specular)) {
+        const T h = specular_cosine(model, n, at.towards, Vec3<T>(-viewing));
+        adds.specular = pow(h, material.shininess) * (material.specular * arriving);
+    }
+    return adds;
 }
 
 template <class T>

@@ -29,7 +29,7 @@ struct Facts {
 
 /// What is known of a pixel's primary ray that has been asked about together with others.
 template <class T> struct PrimaryAnswer {
-    Query<T> query;
+    const Query<T>* query = nullptr;
     Hit<T> hit;  ///< no_primitive: none; and nothing of what follows
     std::optional<SurfacePoint<T>> surface;
     Vec3<T> normal{};  ///< n of the model
@@ -54,27 +54,35 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
 
     /// The intensity of pixel (i, j), which must lie in the picture. Throws InputError where a
     /// weight or an intensity grows beyond the range of T.
-    Rgb<T> trace_pixel(int i, int j) { return trace_pixel(i, j, primary(i, j), nullptr); }
+    Rgb<T> trace_pixel(int i, int j) {
+        Query<T> query;
+        primary(i, j, query);
+        return trace_pixel(i, j, query, nullptr);
+    }
 
     /// The same where the pixel's primary ray has been asked already.
     Rgb<T> trace_pixel(int i, int j, const PrimaryAnswer<T>& answer) {
-        return trace_pixel(i, j, answer.query, &answer);
+        if (!Recorder::wants_reasons && answer.hit.primitive == no_primitive) {
+            return world_.background;
+        }
+        return trace_pixel(i, j, *answer.query, &answer);
     }
 
-    /// The ray of pixel (i, j) as the world's shapes are asked about it.
-    Query<T> primary(int i, int j) const {
-        Query<T> query;
-        query.ray = world_.camera.primary(i, j);
+    /// The ray of pixel (i, j) as the world's shapes are asked about it. Like all queries it is
+    /// written where it stays: copied at once it would wait for its own numbers.
+    void primary(int i, int j, Query<T>& query) const {
+        world_.camera.primary(i, j, query.ray);
+        query.leaving = no_primitive;
         query.interval.from = world_.camera.near_along(query.ray.direction);
+        query.interval.to = Real<T>::infinity;
         if (world_.max_distance) {
             query.interval.to = *world_.max_distance;
         }
-        return query;
     }
 
     /// Fills in where the primary ray that has hit something meets it.
     void find_surface(PrimaryAnswer<T>& answer) const {
-        const Ray<T>& ray = answer.query.ray;
+        const Ray<T>& ray = answer.query->ray;
         answer.surface = surface_at(answer.hit, ray);
         answer.front = inner(ray.direction, answer.surface->geometric_normal) < 0;
         const UnitVec3<T>& n = answer.surface->shading_normal;
@@ -87,12 +95,13 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     }
 
     /// The shadow ray that leaves a surface for a light.
-    Query<T> shadow_query(const Vec3<T>& point, bool front, PrimitiveId shape,
-                          const Illumination<T>& at) const {
+    void shadow_query(const Vec3<T>& point, bool front, PrimitiveId shape,
+                      const Illumination<T>& at, Query<T>& query) const {
+        leave(point, at.towards, front, query.ray);
+        query.leaving = shape;
         // What is as far as the light within rounding is where the light is, not in between.
-        return {onwards(point, at.towards, front),
-                shape,
-                {T(0), at.distance * (1 - 8 * Real<T>::unit_roundoff)}};
+        query.interval.from = 0;
+        query.interval.to = at.distance * (1 - 8 * Real<T>::unit_roundoff);
     }
 
   private:
@@ -102,10 +111,7 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     Rgb<T> trace_pixel(int i, int j, const Query<T>& query, const PrimaryAnswer<T>* known) {
         rays_ = 0;
         finite_ = true;
-        Branch primary;
-        primary.start.ray = query.ray;
-        primary.interval = query.interval;
-        primary.known = known;
+        const Branch primary(query, known);
         const Rgb<T> intensity = trace(primary, RayHandle{}).intensity;
         if (!finite_ || !isfinite(intensity)) {
             throw InputError("", "pixel " + std::to_string(i) + "," + std::to_string(j),
@@ -117,10 +123,26 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
 
     /// A ray about to be followed.
     struct Branch {
-        RayStart<T> start;
-        PrimitiveId leaving = no_primitive;
-        Interval<T> interval;
-        T path = 0;  ///< length from the eye to its start
+        Branch(const Query<T>& asked, const PrimaryAnswer<T>* answer)
+            : query(asked),
+              kind(RayKind::primary),
+              level(1),
+              weight(T(1)),
+              path(0),
+              known(answer) {}
+        /// One more level after `before`; its query is yet to be written.
+        Branch(const Branch& before, RayKind grown, const Rgb<T>& heavy, T way)
+            : kind(grown),
+              level(before.level + 1),
+              weight(heavy),
+              path(before.path + way),
+              media(before.media) {}
+
+        Query<T> query;
+        RayKind kind;
+        int level;
+        Rgb<T> weight;
+        T path;  ///< length from the eye to its start
         [[no_unique_address]] MediaList media;
         const PrimaryAnswer<T>* known = nullptr;  ///< where it has been asked already
     };
@@ -130,13 +152,26 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     };
     /// A hit with all that its illumination and its branches need.
     struct Node {
+        Node(const Branch& from, RayHandle known_as, const Hit<T>& met, const SurfacePoint<T>& at,
+             std::uint32_t of, const WorldMaterial<T>& made_of)
+            : branch(from),
+              handle(known_as),
+              hit(met),
+              surface(at),
+              front(inner(from.query.ray.direction, at.geometric_normal) < 0),
+              normal(front ? at.shading_normal.vec() : -at.shading_normal.vec()),
+              material_id(of),
+              material(made_of),
+              kr(made_of.kr),
+              kt(made_of.kt) {}
+
         const Branch& branch;
         RayHandle handle;
         Hit<T> hit;
         SurfacePoint<T> surface;
+        bool front;
         Vec3<T> normal;  ///< n of the model
-        bool front = true;
-        std::uint32_t material_id = 0;
+        std::uint32_t material_id;
         const WorldMaterial<T>& material;
         Snell<T> snell;
         Rgb<T> kr, kt;
@@ -147,12 +182,19 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     Result trace(const Branch& branch, RayHandle parent);
     Result miss(const Branch& branch, RayHandle handle);
     Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit);
-    static Ray<T> onwards(const Vec3<T>& point, const Vec3<T>& direction, bool outwards);
-    SurfacePoint<T> surface_at(const Hit<T>& hit, const Ray<T>& ray) const {
+    /// A ray that leaves a hit to the outer or the inner side of its surface.
+    static void leave(const Vec3<T>& point, const Vec3<T>& direction, bool outwards, Ray<T>& ray) {
+        ray.origin = point;
+        ray.direction = direction;
+        ray.origin_error = 4 * Real<T>::unit_roundoff * largest_component(point);
+        ray.going = outwards ? Going::outwards : Going::inwards;
+    }
+    // Flattened, as other functions are, so that it has the instruction set of the tracer.
+    [[gnu::flatten]] SurfacePoint<T> surface_at(const Hit<T>& hit, const Ray<T>& ray) const {
         return world_.shapes.shapes().template surface_at<facts.shapes>(hit.primitive, ray, hit.t);
     }
-    std::size_t material_id_of(PrimitiveId shape) const {
-        return world_.scene().objects[world_.shapes.shapes()[shape].object].material;
+    std::uint32_t material_id_of(PrimitiveId shape) const {
+        return world_.material_of_object[world_.shapes.shapes()[shape].object];
     }
     const WorldMaterial<T>& material_of(PrimitiveId shape) const {
         return world_.materials[material_id_of(shape)];
@@ -162,7 +204,6 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
     void send_in_vain(const Node& node, std::size_t light, const Illumination<T>& at);
     Rgb<T> transmitted(const Query<T>& query, std::size_t light, std::optional<Hit<T>>& blocker);
-    // Flattened, so that it has the instruction set of the tracer.
     [[gnu::flatten]] bool hidden(const Query<T>& query, std::size_t light);
     std::optional<Reason> why_not(const Node& node, RayKind kind, const Rgb<T>& weight) const;
     std::optional<Reason> grow(Node& node, RayKind kind);
@@ -178,23 +219,19 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
 template <class T, class Recorder, Facts facts>
 auto Tracer<T, Recorder, facts>::trace(const Branch& branch, RayHandle parent) -> Result {
     ++rays_;
-    const RayHandle handle = recorder_.start(parent, branch.start);
-    Interval<T> interval = branch.interval;
-    if (world_.max_distance) {
-        interval.to = *world_.max_distance - branch.path;
-    }
+    const RayHandle handle =
+        recorder_.start(parent, {branch.kind, branch.level, branch.query.ray, branch.weight});
     if (branch.known) {
         const Hit<T>& hit = branch.known->hit;
         return hit.primitive != no_primitive ? meet(branch, handle, hit) : miss(branch, handle);
     }
-    const auto hit =
-        world_.shapes.closest(branch.start.ray, branch.leaving, interval, recorder_.tests);
+    const auto hit = world_.shapes.closest(branch.query, recorder_.tests);
     return hit ? meet(branch, handle, *hit) : miss(branch, handle);
 }
 
 template <class T, class Recorder, Facts facts>
 auto Tracer<T, Recorder, facts>::miss(const Branch& branch, RayHandle handle) -> Result {
-    const bool primary = branch.start.kind == RayKind::primary;
+    const bool primary = branch.kind == RayKind::primary;
     RayEnd<T> end;
     end.intensity = primary ? world_.background : world_.secondary_background;
     end.termination = world_.max_distance ? Reason::max_distance : Reason::no_intersection;
@@ -205,27 +242,12 @@ auto Tracer<T, Recorder, facts>::miss(const Branch& branch, RayHandle handle) ->
 template <class T, class Recorder, Facts facts>
 auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit)
     -> Result {
-    const Vec3<T>& d = branch.start.ray.direction;
-    const std::size_t material = material_id_of(hit.primitive);
-    Node node{branch,
-              handle,
-              hit,
-              branch.known ? *branch.known->surface : surface_at(hit, branch.start.ray),
-              {},
-              true,
-              static_cast<std::uint32_t>(material),
-              world_.materials[material],
-              {},
-              {},
-              {},
-              T(1),
-              {}};
-    node.front = inner(d, node.surface.geometric_normal) < 0;
-    node.normal =
-        node.front ? node.surface.shading_normal.vec() : -node.surface.shading_normal.vec();
-    node.kr = node.material.kr;
-    node.kt = node.material.kt;
-    if (facts.attenuated && branch.start.kind != RayKind::primary) {
+    const Vec3<T>& d = branch.query.ray.direction;
+    const std::uint32_t material = material_id_of(hit.primitive);
+    Node node(branch, handle, hit,
+              branch.known ? *branch.known->surface : surface_at(hit, branch.query.ray), material,
+              world_.materials[material]);
+    if (facts.attenuated && branch.kind != RayKind::primary) {
         node.attenuation = world_.attenuation.at(hit.t);
     }
     if constexpr (facts.transmissive) {
@@ -250,14 +272,6 @@ auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, co
     return {node.end.intensity, node.attenuation};
 }
 
-/// A ray that leaves a hit to the outer or the inner side of its surface.
-template <class T, class Recorder, Facts facts>
-Ray<T> Tracer<T, Recorder, facts>::onwards(const Vec3<T>& point, const Vec3<T>& direction,
-                                           bool outwards) {
-    return {point, direction, 4 * Real<T>::unit_roundoff * largest_component(point),
-            outwards ? Going::outwards : Going::inwards};
-}
-
 /// Which media meet here, and whether the ray can pass (model, "Media").
 template <class T, class Recorder, Facts facts>
 void Tracer<T, Recorder, facts>::refract(Node& node) const {
@@ -272,7 +286,7 @@ void Tracer<T, Recorder, facts>::refract(Node& node) const {
     }
     const T inside = node.material.ior;
     node.snell = snell(node.front ? outside : inside, node.front ? inside : outside,
-                       node.branch.start.ray.direction, node.normal);
+                       node.branch.query.ray.direction, node.normal);
     if (node.snell.total_reflection() &&
         settings_.total_internal_reflection == TotalReflection::reflect) {
         node.kr += node.kt;
@@ -308,7 +322,9 @@ void Tracer<T, Recorder, facts>::send_in_vain(const Node& node, std::size_t ligh
                                               const Illumination<T>& at) {
     if (!(at.in_front() && node.material.lit) && settings_.shadows == ShadowMode::opaque &&
         largest_component(at.towards) > 0) {
-        hidden(shadow_query(node.surface.point, node.front, node.hit.primitive, at), light);
+        Query<T> query;
+        shadow_query(node.surface.point, node.front, node.hit.primitive, at, query);
+        hidden(query, light);
     }
 }
 
@@ -324,15 +340,15 @@ void Tracer<T, Recorder, facts>::shine(Node& node, std::size_t light, const Illu
         if (known && !known->hidden.empty()) {
             shadow.transmittance = Rgb<T>(known->hidden[light] != 0 ? T(0) : T(1));
         } else {
-            shadow.transmittance =
-                transmitted(shadow_query(node.surface.point, node.front, node.hit.primitive, at),
-                            light, shadow.blocker);
+            Query<T> query;
+            shadow_query(node.surface.point, node.front, node.hit.primitive, at, query);
+            shadow.transmittance = transmitted(query, light, shadow.blocker);
         }
     }
     if (!is_zero(shadow.transmittance)) {
         shadow.adds =
             local_light(settings_.specular_model, node.material, world_.lights[light], at,
-                        node.normal, node.branch.start.ray.direction, shadow.transmittance);
+                        node.normal, node.branch.query.ray.direction, shadow.transmittance);
         node.end.diffuse += shadow.adds.diffuse;
         node.end.specular += shadow.adds.specular;
     }
@@ -345,17 +361,17 @@ void Tracer<T, Recorder, facts>::shine(Node& node, std::size_t light, const Illu
 template <class T, class Recorder, Facts facts>
 Rgb<T> Tracer<T, Recorder, facts>::transmitted(const Query<T>& query, std::size_t light,
                                                std::optional<Hit<T>>& blocker) {
-    const auto& [ray, leaving, between] = query;
     if (settings_.shadows == ShadowMode::opaque) {
         if constexpr (Recorder::wants_reasons) {
-            blocker = world_.shapes.closest(ray, leaving, between, recorder_.tests);
+            blocker = world_.shapes.closest(query, recorder_.tests);
             return Rgb<T>(blocker ? T(0) : T(1));
         } else {
             return Rgb<T>(hidden(query, light) ? T(0) : T(1));
         }
     }
     Rgb<T> through(T(1));
-    for (const Hit<T>& hit : world_.shapes.all(ray, leaving, between, recorder_.tests)) {
+    for (const Hit<T>& hit :
+         world_.shapes.all(query.ray, query.leaving, query.interval, recorder_.tests)) {
         through *= material_of(hit.primitive).kt;
         if (is_zero(through)) {
             blocker = hit;
@@ -369,15 +385,14 @@ Rgb<T> Tracer<T, Recorder, facts>::transmitted(const Query<T>& query, std::size_
 /// asked first: neighbours are often in the same shadow.
 template <class T, class Recorder, Facts facts>
 bool Tracer<T, Recorder, facts>::hidden(const Query<T>& query, std::size_t light) {
-    const auto& [ray, leaving, between] = query;
     PrimitiveId& last = last_occluder_[light];
     if (facts.try_last_occluder && last != no_primitive) {
         recorder_.tests.add();
-        if (world_.shapes.meets(last, ray, leaving, between)) {
+        if (world_.shapes.meets(last, query)) {
             return true;
         }
     }
-    last = world_.shapes.occluder(ray, leaving, between, recorder_.tests);
+    last = world_.shapes.occluder(query, recorder_.tests);
     return last != no_primitive;
 }
 
@@ -392,7 +407,7 @@ std::optional<Reason> Tracer<T, Recorder, facts>::why_not(const Node& node, RayK
     if (!reflected && node.snell.total_reflection()) {
         return Reason::total_internal_reflection;
     }
-    if (node.branch.start.level >= settings_.max_depth) {
+    if (node.branch.level >= settings_.max_depth) {
         return Reason::max_depth;
     }
     if (largest_component(weight) < world_.min_weight) {
@@ -414,23 +429,22 @@ std::optional<Reason> Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind)
         return never;
     }
     const Rgb<T>& k = reflected ? node.kr : node.kt;
-    const Rgb<T> weight = node.attenuation * (k * node.branch.start.weight);
+    const Rgb<T> weight = node.attenuation * (k * node.branch.weight);
     finite_ = finite_ && isfinite(weight);
     const auto reason = why_not(node, kind, weight);
     if (reason) {
         recorder_.skip_branch(node.handle, kind, *reason);
         return reason;
     }
-    const Vec3<T>& d = node.branch.start.ray.direction;
+    const Vec3<T>& d = node.branch.query.ray.direction;
     const UnitVec3<T> direction = reflected ? reflected_direction(d, node.normal)
                                             : refracted_direction(node.snell, d, node.normal);
-    Branch next{{kind, node.branch.start.level + 1,
-                 onwards(node.surface.point, direction.vec(), node.front == reflected), weight},
-                node.hit.primitive,
-                {},
-                node.branch.path + node.hit.t,
-                node.branch.media,
-                nullptr};
+    Branch next(node.branch, kind, weight, node.hit.t);
+    leave(node.surface.point, direction.vec(), node.front == reflected, next.query.ray);
+    next.query.leaving = node.hit.primitive;
+    if (world_.max_distance) {
+        next.query.interval.to = *world_.max_distance - next.path;
+    }
     if constexpr (facts.transmissive) {
         if (!reflected && node.front) {
             next.media.enter(node.material_id);

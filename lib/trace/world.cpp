@@ -91,6 +91,10 @@ template <class T> World<T>::World(const Scene& scene, Build build)
     for (const Material& material : scene.materials) {
         materials.push_back(material_of<T>(material, scene.ambient));
     }
+    material_of_object.reserve(scene.objects.size());
+    for (const Object& object : scene.objects) {
+        material_of_object.push_back(static_cast<std::uint32_t>(object.material));
+    }
     for (const Light& light : scene.lights) {
         lights.push_back(light_of<T>(light));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,7 @@ template <class T> class World {
     Intersector<T> shapes;
     CameraRays<T> camera;
     std::vector<WorldMaterial<T>> materials;
+    std::vector<std::uint32_t> material_of_object;  ///< places among the materials
     std::vector<WorldLight<T>> lights;
     Rgb<T> background;
     Rgb<T> secondary_background;

@@ -151,8 +151,9 @@ EightBit eight_bit(const Rgb<double>& intensity, Quantize quantize) {
     for (std::size_t c = 0; c < 3; ++c) {
         const double raw = channels(intensity)[c];
         const double scaled = 255 * std::clamp(raw, 0.0, 1.0);
-        result.value[c] =
-            static_cast<int>(quantize == Quantize::round ? std::round(scaled) : std::floor(scaled));
+        const int floor = static_cast<int>(scaled);
+        const bool up = quantize == Quantize::round && scaled - floor >= 0.5;
+        result.value[c] = floor + (up ? 1 : 0);
         result.clamped[c] = raw < 0 || raw > 1;
     }
     return result;

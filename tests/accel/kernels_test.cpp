@@ -258,6 +258,49 @@ TEST_CASE("kernels: rays in the planes of triangles, and nearly so") {
     check_all(scene, queries);
 }
 
+TEST_CASE("kernels: narrow bundles of rays, most of which meet little or nothing") {
+    for (const double scale : {1.0, 1e-7, 1e7}) {
+        for (const Point& center : {Point(0.0), scale * Point(3e3, -2e5, 1e4)}) {
+            CAPTURE(scale);
+            Scene scene = test::random_shapes(12, 5, scale, center);
+            const auto corner = [&](double x, double y) {
+                return center + scale * Point(x, y, -1.5);
+            };
+            test::add(scene,
+                      Polygon{{corner(-9, -9), corner(9, -9), corner(9, 9), corner(-9, 9)}, {}});
+            const auto floor = static_cast<PrimitiveId>(scene.objects.size() - 1);
+            Rays rays(8, scale, center);
+            std::vector<Query<double>> queries;
+            for (int bundle = 0; bundle < 300; ++bundle) {
+                const Point from = center + scale * 3.0 * rays.point();
+                const Point light = center + scale * 6.0 * rays.point();
+                // From points of the floor to a light, from one point, along one axis.
+                for (int k = 0; k < 16; ++k) {
+                    Query<double> query;
+                    const Point near = from + scale * 0.02 * rays.point();
+                    Point towards = center + scale * 0.1 * rays.point() - from;
+                    if (bundle % 3 == 0) {
+                        query.ray.origin = {near.x, near.y, corner(0, 0).z};
+                        towards = light - query.ray.origin;
+                        query.leaving = floor;
+                        query.ray.going = towards.z > 0 ? Going::outwards : Going::inwards;
+                        query.interval.to = length(towards);
+                    } else if (bundle % 3 == 1) {
+                        query.ray.origin = from;
+                    } else {
+                        query.ray.origin = near;
+                        towards = Point(0.0);
+                        towards[bundle / 3 % 3] = bundle % 2 == 0 ? 1 : -1;
+                    }
+                    query.ray.direction = UnitVec3<double>::of(towards).vec();
+                    queries.push_back(query);
+                }
+            }
+            check_all(scene, queries);
+        }
+    }
+}
+
 TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {
     Rays rays(1, 1, Point(0.0));
     Scene scene;

@@ -1,0 +1,201 @@
+// What a ray meets in a leaf: filtered in float, met in double. Part of kernels.inl.
+
+/// The triangles of a leaf that the ray's line may pass through: Woop's test in float, an edge
+/// function counting as 0 where rounding may have made its sign. With E the bound on a coordinate's
+/// error and S the sum of the six coordinates' sizes, an edge function's is under 2 E S + 4 E^2.
+inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 x[3], y[3];
+    F8 size = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate = [&](std::size_t a) {
+            return F8::load(rows + (3 * k + ray.axis[a]) * n) - F8::all(ray.origin[a]);
+        };
+        const F8 z = coordinate(2);
+        x[k] = subtract_product(coordinate(0), F8::all(ray.shear_x), z);
+        y[k] = subtract_product(coordinate(1), F8::all(ray.shear_y), z);
+        size = size + (abs(x[k]) + abs(y[k]));
+    }
+    const F8 e0 = multiply_subtract(x[2], y[1], y[2] * x[1]);
+    const F8 e1 = multiply_subtract(x[0], y[2], y[0] * x[2]);
+    const F8 e2 = multiply_subtract(x[1], y[0], y[1] * x[0]);
+    const F8 error = multiply_add(size, F8::all(2 * ray.error),
+                                  F8::all(4 * ray.error * ray.error));
+    const F8 zero = F8::all(0);
+    return less_equal(max(max(e0, e1), e2), error) |
+           less_equal(zero - error, min(min(e0, e1), e2));
+}
+
+/// The triangles of a leaf whose planes the ray may meet between its start and its limit: the
+/// plane is met at t = (n . a) / (n . d), with n the product of the edges e and f. With u the
+/// roundoff, h the copies' part in an edge's error and | | the sum of three sizes, n . x has an
+/// error under q |x|, q = 12 u |e||f| + 3 h (|e| + |f| + h), and a one of its own. What is edge-on
+/// within this error may be met anywhere.
+inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    constexpr float roundoff = 0x1p-24F;
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 a[3], e[3], f[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const F8 corner = F8::load(rows + ray.axis[k] * n);
+        a[k] = corner - F8::all(ray.origin[k]);
+        e[k] = F8::load(rows + (3 + ray.axis[k]) * n) - corner;
+        f[k] = F8::load(rows + (6 + ray.axis[k]) * n) - corner;
+    }
+    F8 distance = F8::all(0), speed = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const F8 normal = multiply_subtract(e[i], f[j], e[j] * f[i]);
+        distance = multiply_add(normal, a[k], distance);
+        speed = multiply_add(normal, F8::all(ray.direction[k]), speed);
+    }
+    const auto size = [](const F8(&v)[3]) { return abs(v[0]) + abs(v[1]) + abs(v[2]); };
+    const F8 size_e = size(e), size_f = size(f);
+    const F8 area = size_e * size_f;
+    const F8 h = F8::all(filter.edge_error());
+    const F8 q = multiply_add(area, F8::all(12 * roundoff),
+                              F8::all(3) * (h * (size_e + size_f + h)));
+    const F8 error = multiply_add(q, size(a), area * F8::all(2 * ray.origin_error));
+    const F8 ahead = with_sign_of(speed, distance);
+    return less_equal(abs(speed), q) |
+           (less_equal(F8::all(0) - error, ahead) &
+            less_equal(ahead, multiply_add(F8::all(ray.limit), abs(speed) + q, error)));
+}
+
+/// The spheres of a leaf whose centre the ray may pass within a radius. The centre's distance has
+/// an error of some roundings of |c - o|, the bound taken is twice a coordinate's.
+inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 from[3];
+    F8 along = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
+        along = multiply_add(from[k], F8::all(ray.direction[k]), along);
+    }
+    F8 square = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const F8 across = subtract_product(from[k], along, F8::all(ray.direction[k]));
+        square = multiply_add(across, across, square);
+    }
+    const F8 reach = F8::load(rows + 3 * n) * F8::all(1 + 0x1p-20F) + F8::all(3 * ray.error);
+    return less_equal(square, reach * reach) & less_equal(F8::all(0) - reach, along) &
+           less_equal(along - reach, F8::all(ray.limit));
+}
+
+/// The cones of a leaf whose axis the ray's line may pass within the larger radius. With w = d x a
+/// the lines' distance is |(b - o) . w| / |w|, its numerator's error some roundings of |b - o|.
+inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 from[3], axis[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
+        axis[k] = F8::load(rows + (3 + ray.axis[k]) * n);
+    }
+    F8 distance = F8::all(0), square = F8::all(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const F8 across = multiply_subtract(F8::all(ray.direction[i]), axis[j],
+                                            F8::all(ray.direction[j]) * axis[i]);
+        distance = multiply_add(from[k], across, distance);
+        square = multiply_add(across, across, square);
+    }
+    const F8 radius = F8::load(rows + 6 * n) * F8::all(1 + 0x1p-20F);
+    return less_equal(abs(distance),
+                      multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
+}
+
+/// Which shapes of a leaf are to be met in double, a bit for each.
+inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const unsigned all = (2U << (leaf.count() - 1)) - 1;
+    if (leaf.kind() == LeafFilter::triangle) {
+        const unsigned passed = filter_lines(filter, leaf, ray) & all;
+        return passed == 0 ? 0 : filter_planes(filter, leaf, ray) & passed;
+    }
+    return leaf.kind() == LeafFilter::sphere ? filter_spheres(filter, leaf, ray) & all
+           : leaf.kind() == LeafFilter::cone ? filter_cones(filter, leaf, ray) & all
+                                             : all;
+}
+
+/// The triangle at a lane of a leaf, met in double, as `intersect` does it. Flattened, so that its
+/// fused multiply-adds are instructions where there are such.
+[[gnu::flatten]] inline Roots<double> meet_triangle(const Searched& searched, Ref leaf,
+                                                    std::size_t lane, const Traveller& ray,
+                                                    Start start) {
+    if (start == Start::on_this_shape) {
+        return {};
+    }
+    const LeafFilter::Exact numbers(searched.filter, leaf, lane);
+    const Ray<double>& line = ray.query->ray;
+    const RayFrame<double>& frame = ray.frame;
+    const double ox = line.origin[frame.x], oy = line.origin[frame.y], oz = line.origin[frame.z];
+    std::array<double, 3> px, py;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double z = numbers[3 * k + ray.axis[2]] - oz;
+        px[k] = (numbers[3 * k + ray.axis[0]] - ox) - frame.shear_x * z;
+        py[k] = (numbers[3 * k + ray.axis[1]] - oy) - frame.shear_y * z;
+    }
+    return encloses_origin(px, py)
+               ? intersect_inside(searched.filter.triangle_of(leaf, lane), line, frame, start)
+               : Roots<double>{};
+}
+
+[[gnu::flatten]] inline Roots<double> meet_sphere(const Searched& searched, Ref leaf,
+                                                  std::size_t lane, const Traveller& ray,
+                                                  Start start) {
+    return intersect(searched.filter.sphere_of(leaf, lane), ray.query->ray, start);
+}
+
+[[gnu::flatten]] inline Roots<double> meet_cone(const Searched& searched, Ref leaf,
+                                                std::size_t lane, const Traveller& ray,
+                                                Start start) {
+    return intersect(searched.filter.cone_of(leaf, lane), ray.query->ray, start);
+}
+
+/// The shape at a lane of a leaf, met in double.
+inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
+                          const Traveller& ray) {
+    const auto id = [&] { return searched.bvh.items()[leaf.first() + lane]; };
+    const PrimitiveId leaving = ray.query->leaving;
+    const Start start =
+        leaving == no_primitive ? Start::anywhere : start_on(id(), leaving);
+    switch (leaf.kind()) {
+        case LeafFilter::triangle:
+            return meet_triangle(searched, leaf, lane, ray, start);
+        case LeafFilter::sphere:
+            return meet_sphere(searched, leaf, lane, ray, start);
+        case LeafFilter::cone:
+            return meet_cone(searched, leaf, lane, ray, start);
+        default:
+            return searched.shapes->intersect(id(), ray.query->ray, leaving);
+    }
+}
+
+/// Meets the shapes of a leaf; true where nothing more is to be looked for.
+template <bool any_will_do>
+inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
+    const Query<double>& query = *ray.query;
+    for (unsigned left = filter_leaf(searched.filter, leaf, ray); left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        const Roots<double> roots = meet(searched, leaf, lane, ray);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
+            if (!query.interval.contains(roots.t[k]) || roots.t[k] > ray.best.t) {
+                continue;
+            }
+            const Hit<double> hit{roots.t[k], searched.bvh.items()[leaf.first() + lane]};
+            if (hit < ray.best) {
+                ray.best = hit;
+                if constexpr (any_will_do) {
+                    return true;
+                }
+                ray.end = hit.t;
+                if (ray.ready_for_boxes) {
+                    ray.limit = ray.box.upper(hit.t);
+                }
+            }
+        }
+    }
+    return false;
+}
