@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "accel/intersector.h"
+#include "scene/progress.h"
 
 namespace raytree {
 namespace {
@@ -69,7 +70,9 @@ std::vector<WideBvh::Item> GrowingHierarchy::sort_into_cells() {
     std::vector<std::uint32_t> cell_of(count);
     std::vector<std::uint32_t> in_cell(grid.size(), 0);  // how many, then which of the full cells
     std::vector<Box> boxes(grid.size());
+    ProgressCounter progress("sorting into cells");
     for (std::size_t k = 0; k < count; ++k) {
+        progress.at(k, count);
         const Box box = shapes_.bounds(static_cast<PrimitiveId>(k));
         const std::uint32_t cell = grid.cell_of(box.center());
         cell_of[k] = cell;

@@ -8,6 +8,7 @@
 #include "formats/did_you_mean.h"
 #include "formats/json_text.h"
 #include "formats/word_reader.h"
+#include "scene/progress.h"
 #include "scene/range_check.h"
 
 namespace raytree {
@@ -62,7 +63,9 @@ CourseScene CourseReader::read() {
     Scene& scene = result_.scene;
     scene.ambient = Colour(0.0);
     scene.settings = course_settings();
+    ProgressCounter progress("reading");
     while (!words_.at_end()) {
+        progress.at(words_.position(), words_.size());
         words_.stay_on_line(0);
         const Word keyword = words_.next();
         words_.stay_on_line(keyword.line);

@@ -1,11 +1,13 @@
 #include "formats/json_parse.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
 #include "formats/json_text.h"
 #include "scene/json_pointer.h"
+#include "scene/progress.h"
 
 namespace raytree {
 namespace {
@@ -165,11 +167,41 @@ bool Builder::parse_error(std::size_t position, const std::string& last_token,
             (looks_like_nan_or_infinity(last_token) ? " (JSON has no NaN and no infinity)" : ""));
 }
 
+/// Goes through a text, and tells how far.
+class ToldBytes {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    ToldBytes(std::string_view text, std::size_t at) : text_(text), at_(at) {}
+    reference operator*() const { return text_[at_]; }
+    ToldBytes& operator++() {
+        constexpr std::size_t seldom = 1 << 16;
+        if (++at_ % seldom == 0) {
+            tell_progress("reading", static_cast<double>(at_) / static_cast<double>(text_.size()));
+        }
+        return *this;
+    }
+    ToldBytes operator++(int) {
+        const ToldBytes before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const ToldBytes& other) const { return at_ == other.at_; }
+
+  private:
+    std::string_view text_;
+    std::size_t at_;
+};
+
 }  // namespace
 
 Json parse_json(std::string_view text, const std::string& file, std::size_t deepest) {
     Builder builder(text, file, deepest);
-    Json::sax_parse(text.begin(), text.end(), &builder);
+    Json::sax_parse(ToldBytes(text, 0), ToldBytes(text, text.size()), &builder);
     return builder.take();
 }
 

@@ -9,6 +9,7 @@
 #include "formats/split_polygon.h"
 #include "formats/word_reader.h"
 #include "scene/planarity.h"
+#include "scene/progress.h"
 #include "scene/range_check.h"
 
 namespace raytree {
@@ -54,7 +55,9 @@ Scene NffReader::read() {
     scene_.ambient = Colour(0.0);
     scene_.settings.max_depth = kImpliedDepth;
     scene_.settings.min_weight = 0;
+    ProgressCounter progress("reading");
     while (!words_.at_end()) {
+        progress.at(words_.position(), words_.size());
         statement(words_.next());
     }
     if (!has_view_) {

@@ -7,14 +7,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <istream>
 #include <limits>
-#include <sstream>
+#include <streambuf>
 #include <utility>
 
 #include "formats/json_text.h"
 #include "formats/output_file.h"
 #include "formats/word_reader.h"
 #include "scene/planarity.h"
+#include "scene/progress.h"
 
 namespace raytree {
 namespace {
@@ -71,8 +73,11 @@ std::string_view take_word(std::string_view& words) {
 }
 
 void StrictPass::run() {
-    lines.reserve(text_.size());
+    const std::size_t size = text_.size();
+    lines.reserve(size);
+    ProgressCounter progress("reading");
     while (!text_.empty()) {
+        progress.at(size - text_.size(), size);
         ++line_;
         take(next_line());
     }
@@ -236,13 +241,38 @@ class Fan {
     std::size_t& without_area_;
 };
 
-std::vector<tinyobj::shape_t> library_shapes(const std::string& lines, const std::string& file) {
+/// Text as a stream that tells how far it has been read.
+class ToldText : public std::streambuf {
+  public:
+    explicit ToldText(std::string& text) : text_(text) {}
+
+  private:
+    int_type underflow() override {
+        constexpr std::size_t piece = 1 << 16;
+        if (given_ == text_.size()) {
+            return traits_type::eof();
+        }
+        tell_progress("reading faces",
+                      static_cast<double>(given_) / static_cast<double>(text_.size()));
+        char* const begin = text_.data() + given_;
+        given_ += std::min(piece, text_.size() - given_);
+        setg(begin, begin, text_.data() + given_);
+        return traits_type::to_int_type(*begin);
+    }
+
+    std::string& text_;
+    std::size_t given_ = 0;
+};
+
+std::vector<tinyobj::shape_t> library_shapes(std::string lines, const std::string& file) {
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
     std::string warning;
     std::string error;
-    std::istringstream stream(lines);
+    ToldText told(lines);
+    std::istream stream(&told);
+    stream.exceptions(std::ios::badbit);  // what a listener throws goes on
     constexpr bool triangulate = false;
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, nullptr,
                           triangulate, false)) {
@@ -263,7 +293,7 @@ Mesh read_obj(std::string_view text, const std::filesystem::path& file,
     mesh.normals = std::move(strict.normals);
     std::size_t without_area = 0;
     Fan fan(mesh, without_area);
-    for (const tinyobj::shape_t& shape : library_shapes(strict.lines, file.string())) {
+    for (const tinyobj::shape_t& shape : library_shapes(std::move(strict.lines), file.string())) {
         fan.add_faces(shape.mesh);
     }
     if (mesh.triangles.empty()) {

@@ -8,6 +8,7 @@
 #include "formats/did_you_mean.h"
 #include "formats/obj.h"
 #include "formats/scene_words.h"
+#include "scene/progress.h"
 #include "scene/validate.h"
 
 namespace raytree {
@@ -71,7 +72,9 @@ void SceneReader::list(const ObjectReader& reader, std::string_view key, ReadEle
         report_.add(place, "found " + shown(*value) + ", must be a list of objects");
         return;
     }
+    ProgressCounter progress("taking in objects");
     for (std::size_t index = 0; index < value->size(); ++index) {
+        progress.at(index, value->size());
         const JsonPlace at = place.element(index);
         if (ObjectReader::is_object((*value)[index], at, report_)) {
             read_element((*value)[index], at, index);

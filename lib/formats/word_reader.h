@@ -29,6 +29,9 @@ class WordReader {
     }
 
     bool at_end() const { return position_ == text_.size(); }
+    /// Bytes that have been read, of so many.
+    std::size_t position() const { return position_; }
+    std::size_t size() const { return text_.size(); }
     /// The next word, which is left to be read; an empty text at the end of the file.
     Word peek() const;
     Word next();

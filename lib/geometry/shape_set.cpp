@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/input_error.h"
+#include "scene/progress.h"
 
 namespace raytree {
 namespace {
@@ -127,7 +128,9 @@ std::string primitive_name(const Scene& scene, const Primitive& primitive) {
 }
 
 template <class T> ShapeSet<T>::ShapeSet(const Scene& scene) {
+    ProgressCounter progress("preparing");
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        progress.at(k, scene.objects.size());
         const std::size_t first = size();
         add(scene.objects[k], static_cast<std::uint32_t>(k));
         for (std::size_t id = first; scene.objects[k].transform && id < size(); ++id) {

@@ -49,19 +49,23 @@ struct ShowerShown {
     std::string light;
     int rays = 1000;          ///< that are sent
     double eye_radius = 0.1;  ///< of the ball around the eye that a ray must meet
+    bool operator==(const ShowerShown&) const = default;
 };
 enum class HierarchyKind { spheres, boxes, octree, production };
 struct TraversalShown {
     HierarchyKind kind = HierarchyKind::boxes;
     std::optional<int> step;  ///< boxes looked at so far; none: all
+    bool operator==(const TraversalShown&) const = default;
 };
 struct VolumesShown {
     std::string light;
+    bool operator==(const VolumesShown&) const = default;
 };
 struct DepthShown {
     std::string light;
     int size = 64;      ///< pixels, of its width and height
     double bias = 0.0;  ///< in the scene's length unit
+    bool operator==(const DepthShown&) const = default;
 };
 
 /// What the views show in a step. What a lesson leaves out of `scene`, `pixel` and `view` is as in

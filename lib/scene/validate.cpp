@@ -3,6 +3,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "scene/progress.h"
 #include "scene/range_check.h"
 
 namespace raytree {
@@ -162,7 +163,9 @@ std::vector<Mistake> validate(const Scene& scene) {
     }
     const JsonPlace objects = top.member("objects");
     check_names(scene.objects, objects, check);
+    ProgressCounter progress("checking");
     for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        progress.at(k, scene.objects.size());
         const JsonPlace at = objects.element(k);
         check_material_of(scene.objects[k], scene, at, check);
         check_object(scene.objects[k], at, check);

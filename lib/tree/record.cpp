@@ -15,11 +15,15 @@ template <class T> class TreeRecorder {
     static constexpr bool wants_reasons = true;
     using RayHandle = std::optional<std::size_t>;
 
-    TreeRecorder(const World<T>& world, RayTree<T>& tree) : world_(world), tree_(tree) {}
+    TreeRecorder(const World<T>& world, RayTree<T>& tree, const std::stop_token& stop)
+        : world_(world), tree_(tree), stop_(stop) {}
 
     TestCount tests;
 
     RayHandle start(RayHandle parent, const RayStart<T>& begun) {
+        if (stop_.stop_requested()) {
+            throw Stopped();
+        }
         TreeRay<T>& ray = add(parent, begun.kind, begun.level);
         ray.origin = begun.ray.origin;
         ray.direction = begun.ray.direction;
@@ -95,6 +99,7 @@ template <class T> class TreeRecorder {
 
     const World<T>& world_;
     RayTree<T>& tree_;
+    const std::stop_token& stop_;
 };
 
 template <class T> TreeCounts count(const RayTree<T>& tree, const Scene& scene) {
@@ -141,7 +146,8 @@ template <class T> void check_finite(const RayTree<T>& tree) {
 
 }  // namespace
 
-template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
+template <class T>
+RayTree<T> record_tree(const World<T>& world, int i, int j, const std::stop_token& stop) {
     const Scene& scene = world.scene();
     const Camera& camera = scene.camera;
     if (i < 0 || j < 0 || i >= camera.width || j >= camera.height) {
@@ -157,7 +163,7 @@ template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
     tree.pixel_j = j;
     tree.camera = camera;
     tree.settings = scene.settings;
-    TreeRecorder<T> recorder(world, tree);
+    TreeRecorder<T> recorder(world, tree, stop);
     tree.intensity = Tracer<T, TreeRecorder<T>>(world, recorder).trace_pixel(i, j);
     check_finite(tree);
     tree.counts = count(tree, scene);
@@ -165,8 +171,9 @@ template <class T> RayTree<T> record_tree(const World<T>& world, int i, int j) {
     return tree;
 }
 
-template RayTree<float> record_tree<float>(const World<float>&, int, int);
-template RayTree<double> record_tree<double>(const World<double>&, int, int);
-template RayTree<Quad> record_tree<Quad>(const World<Quad>&, int, int);
+template RayTree<float> record_tree<float>(const World<float>&, int, int, const std::stop_token&);
+template RayTree<double> record_tree<double>(const World<double>&, int, int,
+                                             const std::stop_token&);
+template RayTree<Quad> record_tree<Quad>(const World<Quad>&, int, int, const std::stop_token&);
 
 }  // namespace raytree

@@ -60,6 +60,16 @@ TEST_CASE("app: a changed value changes the tree as the tracer would") {
     CHECK(state.pixel() == Pixel{40, 30});
 }
 
+TEST_CASE("app: a material is changed whose name has blanks") {
+    Scene scene = test::glass_ball_scene();
+    scene.materials[0].name = "tinted  glass of 2";
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "change.set", "/materials/tinted  glass of 2/ior  1.75");
+    CHECK(scene_of(state).materials[0].ior == 1.75);
+    CHECK_THROWS_AS(run_command(state, "change.set", "/materials/none such/ior 1.75"), InputError);
+}
+
 TEST_CASE("app: branches that a change cuts off stay as ghosts until they are let go of") {
     State state = glass_ball_state();
     state.pick({40, 30});

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/scenes.h"
 #include "lesson/lesson_folder.h"
 #include "state/commands.h"
 #include "state/explained_text.h"
@@ -210,28 +211,28 @@ TEST_CASE("app lessons: the step's formula marks one section of the details") {
 TEST_CASE("app: features explain any scene, step by step, and end") {
     AtStep at("1");
     State& state = at.state;
-    run_command(state, "explain.boxes");
+    test::run_and_wait(state, "explain.boxes");
     REQUIRE(state.explanation().traversal);
     const auto& tests = state.explanation().traversal->tests;
     REQUIRE(tests.size() == 5);
     CHECK(tests[0].shapes == 2);  // without a hierarchy the ray asks both
     const std::size_t all = state.explanation().traversal->steps.size();
     CHECK(steps_shown(*state.explained().traversal, all) == all);
-    run_command(state, "explain.step_forward");
+    test::run_and_wait(state, "explain.step_forward");
     CHECK(steps_shown(*state.explained().traversal, all) == 1);
-    run_command(state, "explain.step_back");
+    test::run_and_wait(state, "explain.step_back");
     CHECK(steps_shown(*state.explained().traversal, all) == 0);
-    run_command(state, "explain.shower", "lamp");
+    test::run_and_wait(state, "explain.shower", "lamp");
     CHECK(state.explanation().shower->rays == 1000);
-    run_command(state, "explain.finer");
+    test::run_and_wait(state, "explain.finer");
     CHECK(state.explanation().shower->rays == 10000);
-    run_command(state, "explain.depth");
+    test::run_and_wait(state, "explain.depth");
     REQUIRE(state.explanation().comparison);
     CHECK(state.explanation().comparison->distance == doctest::Approx(5));  // (0,4,4) to (0,0,1)
-    run_command(state, "explain.volumes");
+    test::run_and_wait(state, "explain.volumes");
     CHECK(state.explanation().volumes->left_out.size() == 1);  // the ball
     CHECK_THROWS_AS(run_command(state, "explain.shower", "sun"), InputError);
-    run_command(state, "explain.nothing");
+    test::run_and_wait(state, "explain.nothing");
     CHECK(explained_text(state).empty());
 }
 

@@ -51,7 +51,7 @@ Opened opened(Scene scene) { return {document_of(std::move(scene)), std::nullopt
 
 void run_and_wait(State& state, std::string_view id, std::string_view argument) {
     run_command(state, id, argument);
-    for (int k = 0; k < 600 && state.tracing(); ++k) {
+    for (int k = 0; k < 600 && state.working(); ++k) {
         state.poll(std::chrono::milliseconds(100));
     }
 }

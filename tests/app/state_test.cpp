@@ -242,6 +242,8 @@ TEST_CASE("app: a tree without its scene wants it, and differences to it are tol
     CHECK(state.message().find("different") != std::string::npos);
 }
 
+const Scene& scene_of(const State& state) { return state.document()->scene(); }
+
 /// Between mirrors, with a budget of so many rays.
 Scene heavy_scene(std::size_t rays) {
     Scene scene = test::glass_ball_scene();
@@ -268,8 +270,8 @@ TEST_CASE("app: a tree that takes long comes later, and of several pixels the la
     state.pick({42, 30});
     int told = 0;
     state.observe([&](const Changes& changes) { told += changes.tree; });
-    const bool late = state.tracing();
-    for (int k = 0; k < 1000 && state.tracing(); ++k) {
+    const bool late = state.working();
+    for (int k = 0; k < 1000 && state.working(); ++k) {
         CHECK(state.selected() == nullptr);
         state.poll(std::chrono::milliseconds(20));
     }
@@ -278,6 +280,47 @@ TEST_CASE("app: a tree that takes long comes later, and of several pixels the la
     CHECK(state.tree()->tree.pixel_i == 42);
     CHECK(state.tree()->tree.rays.size() > 10'000);
     CHECK(state.message().empty());
+}
+
+TEST_CASE("app: what a change takes long over leaves what is shown; of several the last comes") {
+    Scene scene = heavy_scene(1'000'000);
+    scene.settings.max_depth = 3;
+    State state;
+    state.show({test::document_of(scene), Pixel{40, 30}, {}});
+    state.poll(std::chrono::seconds(60));
+    REQUIRE(state.tree());
+    const auto document = state.document();
+    const auto tree = state.tree();
+    int values = 0;
+    state.observe([&](const Changes& changes) { values += changes.values; });
+    state.change("/settings/max_depth", "40", Pick::on_the_way);
+    state.change("/settings/max_depth", "41", Pick::on_the_way);
+    const bool late = state.working();
+    if (late) {
+        CHECK(state.document() == document);
+        CHECK(state.tree() == tree);
+        CHECK(!state.message().empty());
+    }
+    state.change("/settings/max_depth", "2", Pick::on_the_way);
+    state.poll(std::chrono::seconds(60));
+    CHECK(scene_of(state).settings.max_depth == 2);
+    CHECK(state.tree()->tree.settings.max_depth == 2);
+    CHECK(state.message().empty());
+    CHECK(values == (late ? 1 : 3));
+    state.undo();  // all of them are one change
+    state.poll(std::chrono::seconds(60));
+    CHECK(scene_of(state).settings.max_depth == 3);
+}
+
+TEST_CASE("app: a change goes on from those before it, shown or not") {
+    State state;
+    state.show({test::document_of(heavy_scene(1'000'000)), Pixel{40, 30}, {}});
+    state.change("/settings/max_depth", "5");
+    state.change("/settings/min_weight", "0.25");
+    state.poll(std::chrono::seconds(60));
+    CHECK(scene_of(state).settings.max_depth == 5);
+    CHECK(scene_of(state).settings.min_weight == 0.25);
+    CHECK(state.tree()->tree.settings.max_depth == 5);
 }
 
 TEST_CASE("app: where intensities are not finite the pixel has no tree, and it is said") {

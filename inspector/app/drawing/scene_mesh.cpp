@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "drawing/polygon_fill.h"
+#include "drawing/thinned_mesh.h"
 #include "geometry/affine_map.h"
 #include "geometry/plane.h"
 
@@ -14,7 +15,8 @@ namespace raytree::inspector {
 namespace {
 
 constexpr double triangle_budget = 250'000;
-constexpr double most_slices = 90;  // of a round shape
+constexpr double mesh_budget = 100'000;  // triangles of all meshes, which have no fewer from afar
+constexpr double most_slices = 90;       // of a round shape
 
 /// See SceneMesh. `firmness` from 0 to 1.
 std::uint8_t alpha_of(double firmness, bool flat) {
@@ -65,12 +67,17 @@ class Builder {
   private:
     /// Round shapes get as many facets as fit into the budget for all.
     void choose_resolution() {
-        double wanted = 1;
+        double wanted = 1, meshed = 1;
         for (const Object& object : scene_.objects) {
             const double n = slices_of(object);
             wanted += n * n;
+            if (const auto* mesh = std::get_if<raytree::Mesh>(&object.shape)) {
+                meshed += static_cast<double>(mesh->triangles.size());
+            }
         }
         finer_ = std::min(1.0, std::sqrt(triangle_budget / wanted));
+        mesh_share_ = std::min(1.0, mesh_budget / meshed);
+        mesh_.thinned_from = mesh_share_ < 1 ? static_cast<std::size_t>(meshed) - 1 : 0;
     }
 
     int slices_of(const Object& object) const {
@@ -291,6 +298,16 @@ class Builder {
     }
 
     void add_shape(const raytree::Mesh& mesh, int) {
+        const auto most =
+            static_cast<std::size_t>(mesh_share_ * static_cast<double>(mesh.triangles.size()));
+        if (mesh_share_ < 1) {
+            add_triangles(thinned(mesh, most));
+        } else {
+            add_triangles(mesh);
+        }
+    }
+
+    void add_triangles(const raytree::Mesh& mesh) {
         for (const auto& triangle : mesh.triangles) {
             std::array<Point3, 3> p;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -316,6 +333,7 @@ class Builder {
     double pixel_;
     Span3 room_;
     double finer_ = 1;
+    double mesh_share_ = 1;
     SceneMesh mesh_;
     std::optional<AffineMap<double>> map_;
     double firmness_ = 1;

@@ -32,6 +32,7 @@ struct SceneMesh {
     Lines edges;  ///< of polygons
     Lines wires;  ///< of all shapes
     std::vector<ObjectFaces> objects;
+    std::size_t thinned_from = 0;  ///< triangles of meshes, where fewer are drawn; else 0
 };
 
 /// Round shapes have as many facets as they need where a pixel is `pixel` long.

@@ -10,9 +10,19 @@ template <SidePane pane> void switch_side(State& state, std::string_view) {
 }
 template <SidePane pane> bool side_is(const State& state) { return state.side_pane() == pane; }
 
+/// Where the place ends in "/materials/tinted glass/kd 0.5": names may have blanks in them.
+std::size_t end_of_place(const Scene& scene, std::string_view argument) {
+    for (auto at = argument.find(' '); at != argument.npos; at = argument.find(' ', at + 1)) {
+        if (!text_of(scene, std::string(argument.substr(0, at))).empty()) {
+            return at;
+        }
+    }
+    return std::min(argument.find(' '), argument.size());
+}
+
 /// "/settings/max_depth 3": a place and what is typed there.
 template <Pick how> void set(State& state, std::string_view argument) {
-    const std::size_t blank = std::min(argument.find(' '), argument.size());
+    const std::size_t blank = end_of_place(state.document()->scene(), argument);
     const std::size_t value = std::min(argument.find_first_not_of(' ', blank), argument.size());
     if (value == argument.size()) {
         throw InputError("", "change.set",

@@ -71,7 +71,7 @@ template <HierarchyKind kind> void go_through(State& state, std::string_view) {
 }
 
 bool replays(const State& state) {
-    return has_tree(state) && state.explained().traversal &&
+    return has_tree(state) && state.explained().traversal && state.explanation().traversal &&
            !state.explanation().traversal->steps.empty();
 }
 template <int by> void step(State& state, std::string_view) {

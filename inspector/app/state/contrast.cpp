@@ -64,12 +64,12 @@ void add_bounds(PixelTree& tree, const TreeSource& source) {
 }
 
 /// A pixel whose tree has no finite intensity has none to show.
-void add_neighbours(PixelTree& tree, const TreeSource& source) {
+void add_neighbours(PixelTree& tree, const TreeSource& source, const std::stop_token& stop) {
     for (const Pixel pixel :
          neighbours_of(source.pixel, source.neighbours, source.document->scene().camera)) {
         try {
             tree.neighbours.push_back(
-                std::make_shared<const PixelTree>(tree_from({source.document, pixel})));
+                std::make_shared<const PixelTree>(tree_from({source.document, pixel}, stop)));
         } catch (const InputError&) {
         }
     }
@@ -85,24 +85,25 @@ check::Report judged(const TreeSource& recorded, const TreeSource& traced) {
 
 }  // namespace
 
-PixelTree tree_from(const TreeSource& source) {
+PixelTree tree_from(const TreeSource& source, const std::stop_token& stop) {
     PixelTree tree;
     if (source.recorded) {
         tree.tree = source.recorded->tree;
         tree.recorded = source.recorded;
     } else {
-        tree.tree = record_tree(source.document->world(), source.pixel.i, source.pixel.j);
+        tree.tree = record_tree(source.document->world(), source.pixel.i, source.pixel.j, stop);
         tree.tree.scene_sha256 = source.document->loaded().sha256;
     }
     tree.children = children_of(tree.tree);
     if (!source.recorded) {
         add_bounds(tree, source);
-        add_neighbours(tree, source);
+        add_neighbours(tree, source, stop);
     }
     return tree;
 }
 
-PixelTree laid_over(const TreeSource& shown_source, const Comparison& with) {
+PixelTree laid_over(const TreeSource& shown_source, const Comparison& with,
+                    const std::stop_token& stop) {
     auto contrast = std::make_shared<Contrast>();
     contrast->what = with.what;
     contrast->shown_name = shown_source.name;
@@ -120,7 +121,7 @@ PixelTree laid_over(const TreeSource& shown_source, const Comparison& with) {
         report && !report->conventions.empty() && report->verdict != check::Verdict::unreadable;
     const auto tree_of = [&](const TreeSource& source) {
         return by_conventions && !source.recorded ? truth_for(source, report->conventions)
-                                                  : tree_from(source);
+                                                  : tree_from(source, stop);
     };
     PixelTree shown = tree_of(shown_source);
     contrast->other = tree_of(with.other).tree;

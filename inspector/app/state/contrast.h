@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "state/document.h"
 #include "state/neighbours.h"
@@ -19,8 +20,8 @@ struct TreeSource {
     Neighbours neighbours = Neighbours::none;
 };
 
-/// Throws InputError where an intensity is not finite.
-PixelTree tree_from(const TreeSource& source);
+/// Throws InputError where an intensity is not finite, and Stopped.
+PixelTree tree_from(const TreeSource& source, const std::stop_token& stop = {});
 
 /// How two trees are to be compared.
 struct Comparison {
@@ -31,6 +32,7 @@ struct Comparison {
 
 /// The shown tree with the other's rays in it, marked. Where one is recorded and the other traced,
 /// the recorded one is judged by `check` and every mark is its finding.
-PixelTree laid_over(const TreeSource& shown, const Comparison& with);
+PixelTree laid_over(const TreeSource& shown, const Comparison& with,
+                    const std::stop_token& stop = {});
 
 }  // namespace raytree::inspector

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "state/tree_worker.h"
+#include "state/document.h"
 
 namespace raytree::inspector {
 

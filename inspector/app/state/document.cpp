@@ -112,6 +112,14 @@ bool Document::contains(Pixel pixel) const {
     return pixel.i >= 0 && pixel.j >= 0 && pixel.i < camera.width && pixel.j < camera.height;
 }
 
+std::shared_ptr<const Document> with_values(const std::shared_ptr<const Document>& document,
+                                            const Values& values) {
+    const LoadedScene& old = document->loaded();
+    LoadedScene loaded{old.scene, old.format, {}, old.warnings, old.output};
+    put(values, loaded.scene);
+    return std::make_shared<const Document>(document->file(), std::move(loaded));
+}
+
 SceneWanted::SceneWanted(std::string file)
     : InputError(std::move(file), "",
                  "this ray tree does not hold its scene (scene.document); the scene is wanted as "

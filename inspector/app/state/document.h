@@ -10,6 +10,7 @@
 #include "check/submission.h"
 #include "formats/scene_file.h"
 #include "scene/input_error.h"
+#include "state/knobs.h"
 #include "trace/world.h"
 
 namespace raytree::inspector {
@@ -49,6 +50,10 @@ class Document {
     mutable std::once_flag reference_asked_;
     mutable std::optional<World<Quad>> reference_;
 };
+
+/// The same scene with other values.
+std::shared_ptr<const Document> with_values(const std::shared_ptr<const Document>& document,
+                                            const Values& values);
 
 /// What opening a file gave.
 struct Opened {

@@ -16,6 +16,7 @@ struct Explained {
     std::optional<lesson::VolumesShown> volumes;
     std::optional<lesson::DepthShown> depth;
 
+    bool operator==(const Explained&) const = default;
     bool nothing() const { return !z_buffer && !shower && !traversal && !volumes && !depth; }
 };
 

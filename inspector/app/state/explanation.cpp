@@ -66,77 +66,128 @@ TraversalReplay replay_of(const Document& document, const ListedRay<double>& ray
     return replay;
 }
 
-}  // namespace
+/// What is known already, of a question asked before.
+struct Known {
+    const ExplanationAsked& asked;
+    const Explanation& all;
+};
 
-const Explanation& Explainer::explain(const std::shared_ptr<const Document>& document,
-                                      const std::shared_ptr<const PixelTree>& tree, Pixel pixel,
-                                      std::size_t ray, const Explained& explained, int version) {
-    const bool same_scene = document == document_ && version == version_;
-    if (same_scene && tree == tree_ && ray == ray_) {
-        return all_;
-    }
-    document_ = document;
-    version_ = version;
-    tree_ = tree;
-    ray_ = ray;
-    if (!same_scene) {
-        all_ = {};
-        if (document_) {
-            take_scene(*document_, explained);
-        }
-    }
-    if (document_) {
-        take_ray(*document_, tree_.get(), pixel, ray, explained);
-    }
-    return all_;
+bool same_ray(const ExplanationAsked& a, const ExplanationAsked& b) {
+    return a.document == b.document && a.tree == b.tree && a.ray == b.ray;
+}
+bool same_replay(const ExplanationAsked& a, const ExplanationAsked& b) {
+    const auto &x = a.explained.traversal, &y = b.explained.traversal;
+    return same_ray(a, b) && x && y && x->kind == y->kind;
+}
+bool same_depth(const ExplanationAsked& a, const ExplanationAsked& b) {
+    const auto &x = a.explained.depth, &y = b.explained.depth;
+    return a.document == b.document && x && y && x->light == y->light && x->size == y->size;
 }
 
-void Explainer::take_scene(const Document& document, const Explained& explained) {
-    const Scene& scene = document.scene();
-    if (explained.shower) {
-        if (const auto light = place_of_light(scene, explained.shower->light)) {
-            ShowerOptions options;
-            options.rays = static_cast<std::size_t>(explained.shower->rays);
-            options.eye_radius = explained.shower->eye_radius;
-            all_.shower = drawable(document.world(), *light, options);
-        }
+void take_scene(const ExplanationAsked& asked, const Known& known, Explanation& all) {
+    const Explained &explained = asked.explained, &before = known.asked.explained;
+    const bool same = asked.document == known.asked.document;
+    const World<double>& world = asked.document->world();
+    const auto light_of = [&](const auto& shown) {
+        return shown ? place_of_light(world.scene(), shown->light) : std::nullopt;
+    };
+    if (same && explained.shower == before.shower) {
+        all.shower = known.all.shower;
+    } else if (const auto light = light_of(explained.shower)) {
+        ShowerOptions options;
+        options.rays = static_cast<std::size_t>(explained.shower->rays);
+        options.eye_radius = explained.shower->eye_radius;
+        all.shower = std::make_shared<const LightShower>(drawable(world, *light, options));
     }
-    if (explained.volumes) {
-        if (const auto light = place_of_light(scene, explained.volumes->light)) {
-            all_.volumes = shadow_volumes(document.world(), *light);
-        }
+    if (same && explained.volumes == before.volumes) {
+        all.volumes = known.all.volumes;
+    } else if (const auto light = light_of(explained.volumes)) {
+        all.volumes = std::make_shared<const ShadowVolumes>(shadow_volumes(world, *light));
     }
-    if (explained.depth) {
-        if (const auto light = place_of_light(scene, explained.depth->light)) {
-            all_.depth.emplace(document.world(), *light, explained.depth->size);
-        }
+    if (same_depth(asked, known.asked)) {
+        all.depth = known.all.depth;
+    } else if (const auto light = light_of(explained.depth)) {
+        all.depth = std::make_shared<const DepthPicture>(world, *light, explained.depth->size);
     }
 }
 
-void Explainer::take_ray(const Document& document, const PixelTree* tree, Pixel pixel,
-                         std::size_t id, const Explained& explained) {
-    all_.traversal.reset();
-    all_.volume_count.reset();
-    all_.comparison.reset();
-    all_.z_buffer.clear();
-    if (!tree || id >= tree->tree.rays.size()) {
+void take_ray(const ExplanationAsked& asked, const Known& known, Explanation& all) {
+    const Explained& explained = asked.explained;
+    const Document& document = *asked.document;
+    if (!asked.tree || asked.ray >= asked.tree->tree.rays.size()) {
         return;
     }
-    const TreeRay<double>& ray = tree->tree.rays[id];
-    if (explained.traversal) {
-        all_.traversal =
-            replay_of(document, followed(document, pixel, ray), explained.traversal->kind);
+    const TreeRay<double>& ray = asked.tree->tree.rays[asked.ray];
+    if (same_replay(asked, known.asked)) {
+        all.traversal = known.all.traversal;
+    } else if (explained.traversal) {
+        all.traversal = std::make_shared<const TraversalReplay>(
+            replay_of(document, followed(document, asked.pixel, ray), explained.traversal->kind));
     }
-    if (all_.volumes) {
+    if (all.volumes) {
         const double t = ray.hit ? ray.hit->t : Real<double>::infinity;
-        all_.volume_count = count_volumes(*all_.volumes, {ray.origin, ray.direction, 0}, t);
+        all.volume_count = count_volumes(*all.volumes, {ray.origin, ray.direction, 0}, t);
     }
-    if (all_.depth && ray.hit) {
-        all_.comparison = compare(*all_.depth, ray.hit->point, explained.depth->bias);
+    if (all.depth && ray.hit) {
+        all.comparison = compare(*all.depth, ray.hit->point, explained.depth->bias);
     }
     if (explained.z_buffer) {
-        all_.z_buffer = z_buffer_at(document.world(), pixel.i, pixel.j);
+        all.z_buffer = z_buffer_at(document.world(), asked.pixel.i, asked.pixel.j);
     }
+}
+
+/// What may be shown of the old until the new has come.
+Explanation kept(const ExplanationAsked& asked, const Known& known) {
+    Explanation all;
+    if (!asked.document || !known.asked.document ||
+        asked.document->file() != known.asked.document->file()) {
+        return all;
+    }
+    all.shower = asked.explained.shower ? known.all.shower : nullptr;
+    all.volumes = asked.explained.volumes ? known.all.volumes : nullptr;
+    all.depth = asked.explained.depth ? known.all.depth : nullptr;
+    all.traversal = same_replay(asked, known.asked) ? known.all.traversal : nullptr;
+    return all;
+}
+
+}  // namespace
+
+void Explainer::ask(ExplanationAsked asked) {
+    constexpr std::chrono::milliseconds glance(30);
+    if (asked == asked_) {
+        return;
+    }
+    asked_ = std::move(asked);
+    shown_ = kept(asked_, {done_of_, done_});
+    working_ = asked_.document && !asked_.explained.nothing();
+    work_.ask([to = working_ ? asked_ : ExplanationAsked{}, done_of = done_of_,
+               done = done_](const std::stop_token& stop) {
+        Explanation all;
+        if (to.document) {
+            take_scene(to, {done_of, done}, all);
+        }
+        if (to.document && !stop.stop_requested()) {
+            take_ray(to, {done_of, done}, all);
+        }
+        return all;
+    });
+    if (working_) {
+        poll(glance);
+    }
+}
+
+bool Explainer::poll(std::chrono::milliseconds patience) {
+    if (!working_) {
+        return false;
+    }
+    auto all = work_.take(patience);
+    if (!all) {
+        return false;
+    }
+    working_ = false;
+    shown_ = done_ = std::move(*all);
+    done_of_ = asked_;
+    return true;
 }
 
 std::vector<int> counts_along(const VolumeCount& count) {

@@ -3,13 +3,15 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "accel/lecture_hierarchy.h"
 #include "state/document.h"
 #include "state/explained.h"
-#include "state/tree_worker.h"
+#include "state/newest_work.h"
+#include "state/pixel_tree.h"
 #include "trace/depth_picture.h"
 #include "trace/light_shower.h"
 #include "trace/shadow_volume.h"
@@ -31,35 +33,46 @@ struct TraversalReplay {
 
 /// All that the features shown have worked out of a scene and its selected ray.
 struct Explanation {
-    std::optional<LightShower> shower;
-    std::optional<TraversalReplay> traversal;
-    std::optional<ShadowVolumes> volumes;
-    std::optional<VolumeCount> volume_count;  ///< along the selected ray, up to its hit
-    std::optional<DepthPicture> depth;
+    // What the scene alone decides; null where it is not shown.
+    std::shared_ptr<const LightShower> shower;
+    std::shared_ptr<const ShadowVolumes> volumes;
+    std::shared_ptr<const DepthPicture> depth;
+    // Of the selected ray.
+    std::shared_ptr<const TraversalReplay> traversal;
+    std::optional<VolumeCount> volume_count;    ///< along it, up to its hit
     std::optional<DepthComparison> comparison;  ///< at the selected ray's hit
     std::vector<ZBufferStep> z_buffer;
 };
 
-/// Works it out; what the scene alone decides is taken from `before` where that is of the same
-/// scene and features.
+/// What is to be explained.
+struct ExplanationAsked {
+    std::shared_ptr<const Document> document;  ///< null: nothing
+    std::shared_ptr<const PixelTree> tree;     ///< may be null: then what the scene alone decides
+    Pixel pixel;
+    std::size_t ray = 0;
+    Explained explained;
+
+    bool operator==(const ExplanationAsked&) const = default;
+};
+
+/// Works explanations out beside whoever asks: a shower of a million rays takes seconds.
 class Explainer {
   public:
-    /// `tree` may be null: then only what the scene alone decides. `version` is another one
-    /// whenever `explained` is.
-    const Explanation& explain(const std::shared_ptr<const Document>& document,
-                               const std::shared_ptr<const PixelTree>& tree, Pixel pixel,
-                               std::size_t ray, const Explained& explained, int version);
+    /// Does nothing where it is the same as was asked last. What takes no longer than a glance is
+    /// waited for; until it comes, what was shown of the scene stays, and nothing of another ray.
+    void ask(ExplanationAsked asked);
+    bool working() const { return working_; }
+    /// Whether something new has come; waits for it no longer than `patience`.
+    bool poll(std::chrono::milliseconds patience);
+    const Explanation& explanation() const { return shown_; }
 
   private:
-    void take_scene(const Document& document, const Explained& explained);
-    void take_ray(const Document& document, const PixelTree* tree, Pixel pixel, std::size_t ray,
-                  const Explained& explained);
-
-    Explanation all_;
-    std::shared_ptr<const Document> document_;
-    std::shared_ptr<const PixelTree> tree_;
-    std::size_t ray_ = 0;
-    int version_ = -1;
+    ExplanationAsked asked_;
+    bool working_ = false;
+    Explanation shown_;
+    Explanation done_;  ///< the last that was worked out
+    ExplanationAsked done_of_;
+    NewestWork<Explanation> work_;
 };
 
 /// How many volumes the ray is inside of after each crossing.

@@ -25,33 +25,22 @@ Json typed(std::string_view text) {
     return value.is_discarded() ? Json(std::string(text)) : value;
 }
 
-/// The vector that "/lights/0/position/1" is a part of, as a list of numbers.
-Json vector_with(const Scene& scene, const std::string& place, const Json& part) {
-    const std::string whole = place.substr(0, place.size() - 2);
-    Json list = Json::array();
-    for (const char k : {'0', '1', '2'}) {
-        const std::string at = whole + "/" + k;
-        list.push_back(at == place ? part : Json(number_of(find_entry(scene, at)->second)));
-    }
-    return list;
-}
-
-bool is_part(const std::string& place) {
-    const std::size_t n = place.size();
-    return n > 2 && place[n - 2] == '/' && place[n - 1] >= '0' && place[n - 1] <= '2';
-}
-
-/// The changed scene as a file without its objects, and back.
+/// The changed values as a file without objects and without other materials, and back.
 class Rewriting {
   public:
-    Rewriting(const Scene& scene, KnobOwner owner) : scene_(scene), owner_(owner) {
+    Rewriting(const Scene& scene, const Values& now, KnobOwner owner) : now_(now), owner_(owner) {
         bare_.name = scene.name;
         bare_.camera = scene.camera;
-        put(values_of(scene), bare_);
-        if (owner.kind == KnobOwner::Kind::material && bare_.materials[owner.index].in_place) {
-            put_into_list(bare_.materials[owner.index]);
+        bare_.background = now.background;
+        bare_.ambient = now.ambient;
+        bare_.settings = now.settings;
+        bare_.lights = now.lights;
+        if (owner.kind == KnobOwner::Kind::material) {
+            bare_.materials = {now.materials[owner.index]};
+            if (bare_.materials.front().in_place) {
+                put_into_list(bare_.materials.front());
+            }
         }
-        std::erase_if(bare_.materials, [](const Material& m) { return m.in_place; });
     }
 
     /// Where in the written file the value of this place stands.
@@ -79,69 +68,64 @@ class Rewriting {
         throw InputError(std::move(report.mistakes));
     }
 
-    /// The scene with what belongs to the owner as it was read.
-    Scene changed(const Scene& read) const {
-        Scene scene = scene_;
+    /// The values with what belongs to the owner as it was read.
+    Values changed(const Scene& read) const {
+        Values values = now_;
         if (owner_.kind == KnobOwner::Kind::light) {
-            scene.lights[owner_.index] = read.lights[owner_.index];
+            values.lights[owner_.index] = read.lights[owner_.index];
         } else if (owner_.kind == KnobOwner::Kind::material) {
-            Material& material = scene.materials[owner_.index];
-            const std::string name = listed_.empty() ? material.name : listed_name_;
-            Material other = *std::ranges::find(read.materials, name, &Material::name);
+            Material& material = values.materials[owner_.index];
+            Material other = read.materials.front();
             other.name = material.name;
             other.in_place = material.in_place;
             material = std::move(other);
         } else {
-            scene.settings = read.settings;
-            scene.background = read.background;
-            scene.ambient = read.ambient;
+            values.settings = read.settings;
+            values.background = read.background;
+            values.ambient = read.ambient;
         }
-        return scene;
+        return values;
     }
 
   private:
-    /// A material inside of an object that is not written stands in the list, by a free name.
+    /// A material inside of an object that is not written stands in the list.
     void put_into_list(Material& material) {
-        const auto is_taken = [&](const Material& m) {
-            return !m.in_place && m.name == listed_name_;
-        };
-        listed_name_ = "material";
-        while (std::ranges::any_of(bare_.materials, is_taken)) {
-            listed_name_ += "'";
-        }
-        listed_ = "/materials" + json_pointer_part(listed_name_);
+        const std::string name = "material";
+        listed_ = "/materials" + json_pointer_part(name);
         material.in_place = false;
-        material.name = listed_name_;
+        material.name = name;
     }
 
-    const Scene& scene_;
+    const Values& now_;
     KnobOwner owner_;
     Scene bare_;
-    std::string listed_, listed_name_;
+    std::string listed_;
 };
 
 }  // namespace
 
-Scene with_value(const Scene& scene, const std::string& file, const std::string& place,
-                 std::string_view text) {
+Values with_value(const Scene& scene, const Values& now, const std::string& file,
+                  const std::string& place, std::string_view text) {
     const auto found = find_entry(scene, place);
     if (!found) {
         no_such_place(file, place);
     }
     const auto& [owner, entry] = *found;
-    const Rewriting rewriting(scene, owner);
+    const Rewriting rewriting(scene, now, owner);
     const std::string at = rewriting.place_in_file(place);
     Json document = rewriting.document(file);
     const Json value = typed(text);
     const bool can_be_none = std::holds_alternative<const std::optional<double>*>(entry.slot);
-    if (is_part(at)) {
-        document[Json::json_pointer(at.substr(0, at.size() - 2))] =
-            vector_with(scene, place, value);
-    } else if (can_be_none && value == "none") {
+    if (can_be_none && value == "none") {
         const Json::json_pointer pointer(at);
         document[pointer.parent_pointer()].erase(pointer.back());
     } else {
-        document[Json::json_pointer(at)] = value;
+        const Json::json_pointer pointer(at), list = pointer.parent_pointer();
+        if (!list.empty() && list.back() == "attenuation" && !document.contains(list)) {
+            const Attenuation usual;  // which is not written
+            document[list] = {usual.a, usual.b, usual.c};
+        }
+        document[pointer] = value;
     }
     return rewriting.changed(rewriting.read(document, file, place));
 }

@@ -57,9 +57,9 @@ double number_of(const Scene& scene, const Knob& knob);
 /// What a slider says: of a colour, all channels in the proportion that they have.
 std::string slider_text(const Scene& scene, const Knob& knob, double value);
 
-/// The scene with one value changed. Throws InputError with the message that a file with that value
-/// would get; `file` names the scene in it.
-Scene with_value(const Scene& scene, const std::string& file, const std::string& place,
-                 std::string_view text);
+/// The scene's values `now` with one changed. Throws InputError with the message that a file with
+/// that value would get; `file` names the scene in it.
+Values with_value(const Scene& scene, const Values& now, const std::string& file,
+                  const std::string& place, std::string_view text);
 
 }  // namespace raytree::inspector

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 #include "trace/tracer.h"
 #include "tree/explain.h"
@@ -81,8 +82,24 @@ std::optional<Rgb<double>> PictureRender::intensity(Pixel pixel) const {
     return intensities_[place(pixel.i / stride, pixel.j / stride)];
 }
 
+/// Of many shapes the whole hierarchy is built, which cannot be cancelled: while one change follows
+/// the other, as a slider's do, it is not begun.
+void PictureRender::prepare() {
+    constexpr std::size_t many = 10'000;
+    constexpr auto settled = std::chrono::milliseconds(200);
+    const auto& shapes = document_->world().shapes;
+    const auto begin = std::chrono::steady_clock::now();
+    while (shapes.shapes().size() >= many && !cancelled_ &&
+           std::chrono::steady_clock::now() - begin < settled) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (!cancelled_) {
+        shapes.complete();  // the first tree needs only a part, and does not wait
+    }
+}
+
 void PictureRender::run() {
-    document_->world().shapes.complete();  // the first tree needs only a part, and does not wait
+    prepare();
     int step = 1;
     while (std::max(picture_.width, picture_.height) / step > coarsest_cells) {
         step *= 2;

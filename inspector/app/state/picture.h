@@ -47,6 +47,7 @@ class PictureRender {
 
   private:
     void run();
+    void prepare();
     void run_pass(int step, bool first);
     void run_row(int y, int step, bool first);
     void fill_square(int x, int y, int side, std::uint32_t colour);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "state/tree_worker.h"
+#include "state/pixel_tree.h"
 
 /// Which rays of a tree are dimmed or left out of the 3D view; the other panes show them faded.
 namespace raytree::inspector {

@@ -15,6 +15,7 @@ void State::show(const Opened& opened) {
     document_ = opened.document;
     edits_.begin(values_of(document_->scene()));
     before_.reset();
+    coming_.reset();
     against_.reset();
     keep_selected_.reset();
     playing_ = false;
@@ -69,7 +70,7 @@ void State::renew(Opened opened) {
         return;
     }
     edits_.begin(values_of(opened.document->scene()));
-    install(opened.document, document_, true);
+    install({opened.document, std::nullopt, document_, true});
 }
 
 void State::pick(Pixel pixel, Pick how) {
@@ -102,34 +103,60 @@ void State::choose(Pixel pixel) {
     trace_again();
 }
 
-/// A tree that takes no longer than a glance is waited for.
-void State::trace() {
-    constexpr std::chrono::milliseconds glance(60);
+/// The tree before is no longer shown.
+Changes State::trace() {
     tree_.reset();
     selected_ = 0;
+    Changes changes = await_tree().value_or(Changes{});
+    changes.tree = changes.selection = changes.message = true;
+    return changes;
+}
+
+/// A tree that takes no longer than a glance is waited for.
+std::optional<Changes> State::await_tree() {
+    constexpr std::chrono::milliseconds glance(60);
     tracing_ = true;
-    auto [shown, with] = question();
-    worker_->ask(std::move(shown), std::move(with));
-    if (!take_tree(glance)) {
-        message_ = "Tracing the tree of pixel " + text_of(pixel_) + "…";
+    tree_work_->ask(
+        [asked = question()](const std::stop_token& stop) { return answer(asked, stop); });
+    auto changes = take_tree(glance);
+    if (!changes) {
+        message_ = tree_ ? "Working out what is shown next…"
+                         : "Tracing the tree of pixel " + text_of(pixel_) + "…";
     }
+    return changes;
+}
+
+TreeQuestion State::question() const {
+    return {coming_ ? coming_->document : document_,
+            coming_ ? coming_->values : std::nullopt,
+            pixel_,
+            look_.bounds,
+            look_.neighbours,
+            coming_ ? coming_->before : before_,
+            against_};
 }
 
 void State::trace_again() {
     message_.clear();
-    trace();
-    tell({.tree = true, .selection = true, .message = true, .playback = playback_.has_value()});
+    Changes changes = trace();
+    changes.playback = changes.playback || playback_.has_value();
+    tell(changes);
 }
 
-bool State::take_tree(std::chrono::milliseconds patience) {
-    auto traced = worker_->take(patience);
+std::optional<Changes> State::take_tree(std::chrono::milliseconds patience) {
+    auto traced = tree_work_->take(patience);
     if (!traced) {
-        return false;
+        return std::nullopt;
     }
+    Changes changes{.tree = true, .selection = true, .message = true};
     tracing_ = false;
     tree_ = std::move(traced->tree);
+    selected_ = 0;
     if (!traced->failure.empty()) {
         message_ = traced->failure;
+    }
+    if (coming_) {
+        take_coming(std::move(traced->document), changes);
     }
     const auto same = std::exchange(same_selected_, std::nullopt);
     if (tree_) {
@@ -141,22 +168,24 @@ bool State::take_tree(std::chrono::milliseconds patience) {
         }
         if (playback_) {
             begin_playback();
+            changes.playback = true;
         }
         say_whose();
     }
-    return true;
+    return changes;
 }
 
 void State::poll(std::chrono::milliseconds patience) {
-    if (!tracing_) {
-        return;
+    if (tracing_) {
+        const std::string waiting = std::exchange(message_, {});
+        if (const auto changes = take_tree(patience)) {
+            tell(*changes);
+        } else {
+            message_ = waiting;
+        }
     }
-    const std::string waiting = message_;
-    message_.clear();
-    if (!take_tree(patience)) {
-        message_ = waiting;
-    } else {
-        tell({.tree = true, .selection = true, .message = true, .playback = playback_.has_value()});
+    if (explainer_->poll(patience)) {
+        tell({.explained = true});
     }
 }
 
@@ -180,12 +209,13 @@ void State::change_look(const std::function<void(Look&)>& change) {
     const bool bounds = look_.bounds;
     const Neighbours neighbours = look_.neighbours;
     change(look_);
-    const bool asks_more = bounds != look_.bounds || neighbours != look_.neighbours;
-    if (asks_more && document_) {
+    Changes changes;
+    if (document_ && (bounds != look_.bounds || neighbours != look_.neighbours)) {
         same_selected_ = selected_;
-        trace();
+        changes = await_tree().value_or(Changes{.message = true});
     }
-    tell({.tree = asks_more, .selection = asks_more, .look = true, .message = asks_more});
+    changes.look = true;
+    tell(changes);
 }
 
 void State::request(Request request, std::string text) {
@@ -215,6 +245,10 @@ void State::show_side(SidePane pane) {
 }
 
 void State::tell(const Changes& changes) const {
+    if (changes.document || changes.tree || changes.selection || changes.values ||
+        changes.explained) {
+        explainer_->ask({document_, tree_, pixel_, selected_, explained_});
+    }
     for (const Observer& observer : observers_) {
         observer(changes);
     }

@@ -12,12 +12,13 @@
 #include "state/explanation.h"
 #include "state/history.h"
 #include "state/lesson_run.h"
+#include "state/newest_work.h"
 #include "state/palette.h"
 #include "state/playback.h"
 #include "state/ray_filter.h"
 #include "state/table.h"
 #include "state/thing.h"
-#include "state/tree_worker.h"
+#include "state/tree_question.h"
 #include "trace/render.h"
 
 /// What the inspector shows. Views read it and are told what has changed; commands change it.
@@ -147,9 +148,10 @@ class State {
     void change_tree_pane(const TreePane& tree_pane);
     void change_table(const Table& table);
     void request(Request request, std::string text = {});
-    /// Whether the chosen pixel's tree is still to come: then `poll` is to be called now and then.
-    bool tracing() const { return tracing_; }
-    /// Takes a tree that has come meanwhile, waiting for it no longer than `patience`.
+    /// Whether a tree or an explanation is still to come: then `poll` is to be called now and then.
+    bool working() const { return tracing_ || explaining(); }
+    bool explaining() const { return explainer_->working(); }
+    /// Takes what has come meanwhile, waiting for it no longer than `patience`.
     void poll(std::chrono::milliseconds patience = {});
     /// One line for people; empty to clear it.
     void say(std::string message);
@@ -226,8 +228,8 @@ class State {
 
     const Explained& explained() const { return explained_; }
     void explain(const std::function<void(Explained&)>& change);
-    /// Worked out when it is asked for. There must be a document.
-    const Explanation& explanation() const;
+    /// As much of it as has been worked out.
+    const Explanation& explanation() const { return explainer_->explanation(); }
 
   private:
     void stage(const lesson::Show& show);
@@ -237,27 +239,25 @@ class State {
     void answer_by_pixel();
     void answer_by_ray();
 
-    /// What trees are compared with.
-    struct Against {
-        Contrast::What what = Contrast::What::pixel;
-        Pixel pixel;  ///< the other's; of files, both trees' pixel
-        /// Of files: null where it is the traced tree.
-        std::shared_ptr<const check::Submission> reference, subject;
-        bool swapped = false;
+    /// What will be shown as soon as its tree is there.
+    struct Coming {
+        std::shared_ptr<const Document> document;
+        std::optional<Values> values;            ///< that it is to have first
+        std::shared_ptr<const Document> before;  ///< of the change; null: nothing is left of it
+        bool other_shapes = false;
     };
 
     void choose(Pixel pixel);
-    void trace();
+    Changes trace();
     void trace_again();
-    TreeSource source(Pixel pixel, std::shared_ptr<const Document> document) const;
-    std::pair<TreeSource, std::optional<Comparison>> question() const;
+    std::optional<Changes> await_tree();
+    std::optional<Changes> take_tree(std::chrono::milliseconds patience);
+    void take_coming(std::shared_ptr<const Document> document, Changes& changes);
+    TreeQuestion question() const;
     void take_counterpart(std::size_t before);
     void say_whose();
-    std::shared_ptr<const Document> document_with(const Values& values) const;
-    void install(std::shared_ptr<const Document> document, std::shared_ptr<const Document> before,
-                 bool other_shapes = false);
+    void install(Coming coming);
     void begin_playback();
-    bool take_tree(std::chrono::milliseconds patience);
     void tell(const Changes& changes) const;
 
     std::shared_ptr<const Document> document_;
@@ -267,7 +267,8 @@ class State {
     std::size_t selected_ = 0;
     std::optional<Thing> thing_;
     bool tracing_ = false;
-    std::unique_ptr<TreeWorker> worker_ = std::make_unique<TreeWorker>();
+    using TreeWork = NewestWork<TracedPixel>;
+    std::unique_ptr<TreeWork> tree_work_ = std::make_unique<TreeWork>();
     Look look_;
     TreePane tree_pane_;
     Table table_;
@@ -280,6 +281,7 @@ class State {
     double pace_ = 2;
     Edits edits_;
     std::shared_ptr<const Document> before_;  ///< the last change, or before it was dismissed
+    std::optional<Coming> coming_;
     std::filesystem::path opened_file_;
     std::optional<std::filesystem::path> own_file_;
     std::optional<Against> against_;
@@ -290,8 +292,7 @@ class State {
     std::filesystem::path lesson_folder_;
     bool staging_ = false;  ///< the views are being set as a step wants them
     Explained explained_;
-    int explained_version_ = 0;
-    mutable Explainer explainer_;
+    std::unique_ptr<Explainer> explainer_ = std::make_unique<Explainer>();
     std::vector<Observer> observers_;
 };
 

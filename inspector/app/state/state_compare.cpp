@@ -7,59 +7,11 @@ namespace {
 
 using What = Contrast::What;
 
-std::string name_of(const check::Submission& recorded) {
-    return std::filesystem::path(recorded.file).filename().string();
-}
-
 std::string maker_of(const check::Submission& recorded) {
     return recorded.tree.generator.empty() ? "" : " by " + recorded.tree.generator;
 }
 
 }  // namespace
-
-TreeSource State::source(Pixel pixel, std::shared_ptr<const Document> document) const {
-    return {std::move(document),  pixel,        nullptr,
-            "raytree's own tree", look_.bounds, look_.neighbours};
-}
-
-/// The tree that is to be shown, and what it is to be laid over.
-std::pair<TreeSource, std::optional<Comparison>> State::question() const {
-    TreeSource shown = source(pixel_, document_);
-    const auto cut = [&]() -> std::optional<Comparison> {
-        if (!before_) {
-            return std::nullopt;
-        }
-        return Comparison{source(pixel_, before_), What::cut, false};
-    };
-    if (!against_ || (against_->what == What::file && against_->pixel != pixel_)) {
-        return {shown, cut()};
-    }
-    TreeSource reference = shown;
-    switch (against_->what) {
-        case What::file:
-            reference.recorded = against_->reference;
-            shown.recorded = against_->subject;
-            shown.name = name_of(*against_->subject);
-            if (against_->reference) {
-                reference.name = name_of(*against_->reference);
-            }
-            break;
-        case What::pixel:
-            reference.pixel = against_->pixel;
-            reference.name = "pixel " + text_of(against_->pixel);
-            shown.name = "pixel " + text_of(pixel_);
-            break;
-        default:
-            reference.document = before_;
-            reference.name = "before the change";
-            shown.name = "after the change";
-    }
-    const bool swapped = against_->swapped;
-    if (swapped) {
-        std::swap(reference, shown);
-    }
-    return {std::move(shown), Comparison{std::move(reference), against_->what, swapped}};
-}
 
 /// Selects the ray that corresponds to one of the tree before, which is the other one now.
 void State::take_counterpart(std::size_t before) {

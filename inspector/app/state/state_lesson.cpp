@@ -111,6 +111,7 @@ void State::show_lesson_view() {
 void State::stage(const lesson::Show& show) {
     const auto document = lesson_->document();
     const Pixel pixel{show.pixel.i, show.pixel.j};
+    explained_ = {};  // what the step before showed is not worked out for this one
     if (document_ != document) {
         this->show({.document = document, .pixel = pixel, .notes = {}});
     } else {
@@ -181,18 +182,13 @@ void State::try_value(double value) {
 /// Another document in the place of this one, seen in the same way.
 void State::exchange(std::shared_ptr<const Document> document) {
     edits_.begin(values_of(document->scene()));
-    install(std::move(document), nullptr, true);
+    install({std::move(document), std::nullopt, nullptr, true});
     poll(patience);
 }
 
 void State::explain(const std::function<void(Explained&)>& change) {
     change(explained_);
-    ++explained_version_;
     tell({.explained = true});
-}
-
-const Explanation& State::explanation() const {
-    return explainer_.explain(document_, tree_, pixel_, selected_, explained_, explained_version_);
 }
 
 void State::answer_by_pixel() {

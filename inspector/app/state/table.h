@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "state/tree_worker.h"
+#include "state/pixel_tree.h"
 
 /// The columns of the ray table, and what they say of a ray.
 namespace raytree::inspector {

@@ -7,7 +7,6 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "state/commands.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -25,55 +24,83 @@ constexpr Gesture gestures[] = {
     {"Select a ray", "click", "In the 3D view and in the outline."},
 };
 
-void fill(QTreeWidget* list) {
+enum ListColumn { title_column, key_column, menu_column, help_column };
+
+void fill(QTreeWidget* list, const State& state) {
     for (const Command& command : commands()) {
         QStringList keys;
         for (const QString& key : qt(command.keys).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
             keys.push_back(QKeySequence(key).toString(QKeySequence::NativeText));
         }
-        if (!keys.isEmpty()) {
-            QString title = qt(command.title);
-            list->addTopLevelItem(
-                new QTreeWidgetItem({title, keys.join(QStringLiteral(", ")), qt(command.help)}));
+        const bool scripted = command.menu.empty();
+        auto* const item = new QTreeWidgetItem(
+            {scripted ? qt(command.id) : qt(command.title), keys.join(QStringLiteral(", ")),
+             scripted ? QStringLiteral("scripts") : qt(command.menu), qt(command.help)});
+        item->setData(title_column, Qt::UserRole, qt(command.id));
+        item->setToolTip(title_column, qt(command.id));
+        const bool possible = !scripted && (!command.possible || command.possible(state));
+        for (int column = 0; column < list->columnCount() && !possible; ++column) {
+            item->setForeground(column, list->palette().brush(QPalette::Disabled, QPalette::Text));
         }
+        list->addTopLevelItem(item);
     }
     for (const Gesture& gesture : gestures) {
         list->addTopLevelItem(
             new QTreeWidgetItem({QString::fromUtf8(gesture.what), QString::fromUtf8(gesture.how),
-                                 QString::fromUtf8(gesture.help)}));
+                                 QStringLiteral("mouse"), QString::fromUtf8(gesture.help)}));
     }
 }
 
 void filter(QTreeWidget* list, const QString& text) {
+    QTreeWidgetItem* first = nullptr;
     for (int k = 0; k < list->topLevelItemCount(); ++k) {
         QTreeWidgetItem* const item = list->topLevelItem(k);
-        bool found = false;
-        for (int column = 0; column < 3; ++column) {
+        bool found = item->toolTip(title_column).contains(text, Qt::CaseInsensitive);
+        for (int column = 0; column < list->columnCount(); ++column) {
             found = found || item->text(column).contains(text, Qt::CaseInsensitive);
         }
         item->setHidden(!found);
+        first = found && !first ? item : first;
     }
+    list->setCurrentItem(first);
 }
 
 }  // namespace
 
-void show_cheat_sheet(QWidget* parent) {
+void show_cheat_sheet(const State& state, QWidget* parent,
+                      std::function<void(const Command&)> run) {
     auto* const dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(QStringLiteral("Keys and commands"));
-    dialog->resize(680, 620);
     auto* const search = new QLineEdit(dialog);
-    search->setPlaceholderText(QStringLiteral("Search"));
+    search->setPlaceholderText(QStringLiteral("Search; Return runs the command that is marked"));
+    search->setAccessibleName(QStringLiteral("Search"));
     search->setClearButtonEnabled(true);
     auto* const list = new QTreeWidget(dialog);
-    list->setHeaderLabels(
-        {QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("What it does")});
+    list->setAccessibleName(QStringLiteral("Commands"));
+    list->setHeaderLabels({QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("Menu"),
+                           QStringLiteral("What it does")});
     list->setRootIsDecorated(false);
-    fill(list);
-    list->resizeColumnToContents(0);
-    list->resizeColumnToContents(1);
+    fill(list, state);
+    for (const int column : {title_column, key_column, menu_column}) {
+        list->resizeColumnToContents(column);
+    }
+    const QFontMetrics metrics = dialog->fontMetrics();
+    dialog->resize(metrics.averageCharWidth() * 120, metrics.height() * 38);
+    const auto run_item = [dialog, run = std::move(run)](const QTreeWidgetItem* item) {
+        const Command* const command =
+            item ? find_command(item->data(title_column, Qt::UserRole).toString().toStdString())
+                 : nullptr;
+        if (command && !command->menu.empty()) {
+            dialog->close();
+            run(*command);
+        }
+    };
     QObject::connect(search, &QLineEdit::textChanged, list,
                      [list](const QString& text) { filter(list, text); });
+    QObject::connect(search, &QLineEdit::returnPressed, list,
+                     [=] { run_item(list->currentItem()); });
+    QObject::connect(list, &QTreeWidget::itemActivated, dialog, run_item);
     auto* const layout = new QVBoxLayout(dialog);
     layout->addWidget(search);
     layout->addWidget(list);

@@ -70,8 +70,8 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->leave_to(*files_);
     new Exporter(state_, this, scene_);
-    tracing_.setInterval(30);
-    connect(&tracing_, &QTimer::timeout, this, [this] { state_.poll(); });
+    working_.setInterval(30);
+    connect(&working_, &QTimer::timeout, this, [this] { state_.poll(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
 
@@ -230,7 +230,9 @@ void MainWindow::obey(const Changes& changes) {
     }
     if (changes.tree) {
         show_status();
-        state_.tracing() ? tracing_.start() : tracing_.stop();
+    }
+    if (state_.working() != working_.isActive()) {
+        state_.working() ? working_.start() : working_.stop();
     }
     if (changes.side_pane && side_->isVisible()) {
         resizeDocks({side_}, {std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
@@ -254,7 +256,8 @@ void MainWindow::obey(const Changes& changes) {
     if (changes.request == Request::save_scene_as) {
         actions_->run(*find_command("file.save_as"), {});
     } else if (changes.request == Request::cheat_sheet) {
-        show_cheat_sheet(this);
+        show_cheat_sheet(state_, this,
+                         [this](const Command& command) { actions_->run(command, {}); });
     } else if (changes.request == Request::quit) {
         close();
     }

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QSettings>
 #include <QSurfaceFormat>
 #include <cstdlib>
 
@@ -15,7 +16,7 @@
 #include "window/main_window.h"
 #include "window/remembered_table.h"
 #include "window/scene_pane.h"
-#include "window/waiting.h"
+#include "window/work_progress.h"
 
 namespace raytree::inspector {
 namespace {
@@ -26,7 +27,10 @@ constexpr qint64 longest_wait = 120'000;  // milliseconds for a picture
 void wait_until_drawn(const State& state, MainWindow& window) {
     QElapsedTimer time;
     time.start();
-    while ((!window.feed().done() || state.tracing()) && time.elapsed() < longest_wait) {
+    const auto is_coming = [&] {
+        return !window.feed().done() || state.working() || !window.scene_pane().has_shapes();
+    };
+    while (is_coming() && time.elapsed() < longest_wait) {
         QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     }
     const int frames = window.scene_pane().frames();
@@ -41,7 +45,7 @@ void wait_until_drawn(const State& state, MainWindow& window) {
 void wait_for_tree(State& state) {
     QElapsedTimer time;
     time.start();
-    while (state.tracing() && time.elapsed() < longest_wait) {
+    while (state.working() && time.elapsed() < longest_wait) {
         state.poll(std::chrono::milliseconds(50));
     }
 }
@@ -85,6 +89,9 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
         run_line(state, line);
         wait_for_tree(state);
     }
+    if (!window.isVisible()) {  // the script has closed it
+        return 0;
+    }
     if (!options.screenshot && options.script.empty()) {
         remember_table(state);
     }
@@ -100,7 +107,9 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
         return 0;
     }
     const int code = QApplication::exec();
-    if (Waiting::abandoned() > 0) {
+    // Nobody waits for what is still being worked out, which may take long.
+    if (WorkProgress::running() > 0 || state.working() || !window.feed().done()) {
+        QSettings().sync();
         std::_Exit(code);
     }
     return code;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <utility>
 
 #include "drawing/angles.h"
 #include "drawing/coverage.h"
@@ -75,6 +76,12 @@ ScenePane::ScenePane(State& state, PictureFeed& feed, QWidget* parent)
         scene3d_.keep();
         redraw();
     });
+    meshed_.setInterval(20);
+    connect(&meshed_, &QTimer::timeout, this, [this] {
+        if (take_mesh({})) {
+            redraw();
+        }
+    });
     scene3d_.set_theme(palette_of(state_.look().theme));
     state_.observe([this](const Changes& changes) { obey(changes); });
     connect(&feed_, &PictureFeed::updated, this, &ScenePane::take_picture);
@@ -84,6 +91,8 @@ ScenePane::~ScenePane() = default;
 
 void ScenePane::obey(const Changes& changes) {
     if (changes.document) {
+        mesh_ = {};
+        stale_shapes_ = true;
         take_document();
     }
     if (changes.look) {
@@ -198,6 +207,10 @@ void ScenePane::show_notes() {
                      .arg(paths_.size())
                      .arg(state_.tree()->tree.rays.size());
     }
+    if (mesh_.thinned_from > 0) {
+        notes << QStringLiteral("meshes of %1 triangles are drawn with fewer")
+                     .arg(mesh_.thinned_from);
+    }
     if (state_.tree() && !state_.tree()->neighbours.empty()) {
         notes << QStringLiteral("thin: the trees of %1 pixels around")
                      .arg(state_.tree()->neighbours.size());
@@ -208,7 +221,15 @@ void ScenePane::show_notes() {
     overlay_->set_notes(notes);
 }
 
+/// With another picture all shapes are drawn anew; of many, that is not done at every step of it.
 void ScenePane::take_picture() {
+    constexpr std::size_t many = 20'000;  // triangles
+    constexpr qint64 seldom = 300;        // milliseconds
+    const bool may_wait = mesh_.faces.triangle_count() > many && !feed_.done();
+    if (may_wait && pictured_.isValid() && pictured_.elapsed() < seldom) {
+        return;
+    }
+    pictured_.start();
     stale_picture_ = true;
     redraw();
 }
@@ -236,9 +257,7 @@ bool ScenePane::prepare_frame() {
     }
     const bool changed = stale_shapes_ || stale_picture_ || stale_rays_;
     if (const double pixel = mesh_pixel(extent_, view_); pixel != mesh_pixel_) {
-        mesh_pixel_ = pixel;
-        mesh_ = scene_mesh(*state_.document(), extent_, pixel);
-        stale_shapes_ = true;
+        make_mesh(pixel);
     }
     if (std::exchange(stale_shapes_, false)) {
         scene3d_.set_shapes(mesh_, state_.look().shapes);
@@ -247,7 +266,9 @@ bool ScenePane::prepare_frame() {
     if (std::exchange(stale_picture_, false) && !feed_.picture().cells.empty()) {
         const ShownPicture& picture = feed_.picture();
         scene3d_.set_picture(picture.width, picture.height, picture.cells);
-        stale_view_ = true;
+        scene3d_.set_picture_place(picture_corners(*state_.document(), extent_.plane_distance),
+                                   !looks_from_the_eye());
+        settled_.start();
     }
     if (std::exchange(stale_view_, false)) {
         settled_.start();
@@ -262,6 +283,31 @@ bool ScenePane::prepare_frame() {
         prepare_rays();
     }
     return changed;
+}
+
+/// What takes longer than a glance is drawn when it is there, and what was drawn stays until then.
+void ScenePane::make_mesh(double pixel) {
+    mesh_pixel_ = pixel;
+    meshing_ = true;
+    mesh_work_.ask([document = state_.document(), extent = extent_, pixel](const std::stop_token&) {
+        return scene_mesh(*document, extent, pixel);
+    });
+    if (!take_mesh(mesh_patience_)) {
+        meshed_.start();
+    }
+}
+
+bool ScenePane::take_mesh(std::chrono::milliseconds patience) {
+    auto mesh = mesh_work_.take(patience);
+    if (!mesh) {
+        return false;
+    }
+    meshing_ = false;
+    meshed_.stop();
+    mesh_ = std::move(*mesh);
+    stale_shapes_ = true;
+    show_notes();
+    return true;
 }
 
 /// All that stands beside the shapes: it is made anew for each view and selection.
@@ -329,10 +375,12 @@ QImage ScenePane::image(QSize size) {
         stale_rays_ = stale_view_ = true;
     };
     take_size(size);
+    const auto patience = std::exchange(mesh_patience_, std::chrono::minutes(1));
     QImage image = canvas_->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
     overlay_->render(&painter, {}, {}, {});
     painter.end();
+    mesh_patience_ = patience;
     take_size(this->size());
     view_ = before;
     redraw();

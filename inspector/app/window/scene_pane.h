@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <initializer_list>
 #include <memory>
@@ -7,6 +8,7 @@
 #include "drawing/extent.h"
 #include "drawing/ray_paths.h"
 #include "drawing/scene_mesh.h"
+#include "state/newest_work.h"
 #include "view3d/scene3d.h"
 #include "window/picture_feed.h"
 
@@ -30,6 +32,8 @@ class ScenePane : public QWidget {
     const View& view() const { return view_; }
     /// How many frames have been drawn.
     int frames() const { return frames_; }
+    /// Whether the shapes that are drawn are those of the scene shown.
+    bool has_shapes() const { return !meshing_; }
     /// Asks for a frame with everything as it is now.
     void draw_again() { redraw(); }
     /// What the pane shows, drawn at another size.
@@ -56,6 +60,8 @@ class ScenePane : public QWidget {
     std::vector<Point3> selected_points() const;
     void change_view(const View& view);
     void show_notes();
+    void make_mesh(double pixel);
+    bool take_mesh(std::chrono::milliseconds patience);
     void prepare_rays();
     void lay_shapes_over(std::initializer_list<const Mesh*> things);
     bool looks_from_the_eye() const;
@@ -82,9 +88,14 @@ class ScenePane : public QWidget {
     bool stale_shapes_ = false;    ///< what the next frame has to be given anew
     bool stale_rays_ = false;
     bool stale_view_ = false;
-    double mesh_pixel_ = 0;  ///< for which mesh_ has been made
+    double mesh_pixel_ = 0;  ///< for which mesh_ has been made, or is being made
+    bool meshing_ = false;
+    std::chrono::milliseconds mesh_patience_{40};
+    NewestWork<SceneMesh> mesh_work_;
+    QTimer meshed_;  ///< asks for it
     bool stale_picture_ = false;
-    QTimer settled_;  ///< runs out when the view has stood still for a while
+    QElapsedTimer pictured_;  ///< since the picture was taken last
+    QTimer settled_;          ///< runs out when the view has stood still for a while
     QPointF pressed_, last_;
     bool dragged_ = false;
     int frames_ = 0;

@@ -1,0 +1,54 @@
+#include "window/waiting.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QProgressDialog>
+
+#include "window/qt_text.h"
+
+namespace raytree::inspector {
+
+ProgressListener WorkProgress::listener() {
+    return ProgressListener([this](std::string_view doing, double share) {
+        if (cancelled_) {
+            throw Stopped();
+        }
+        const std::lock_guard lock(mutex_);
+        stage_ = {std::string(doing), share};
+    });
+}
+
+WorkProgress::Stage WorkProgress::stage() const {
+    const std::lock_guard lock(mutex_);
+    return stage_;
+}
+
+bool Waiting::show_until(const std::function<bool(std::chrono::milliseconds)>& is_there,
+                         const WorkProgress& progress, QWidget* parent, const QString& title) {
+    using namespace std::chrono_literals;
+    QProgressDialog dialog(title, QStringLiteral("Cancel"), 0, 0, parent);
+    dialog.setWindowModality(Qt::WindowModal);
+    dialog.setMinimumDuration(0);
+    dialog.setAutoReset(false);
+    dialog.setMinimumWidth(dialog.fontMetrics().averageCharWidth() * 60);
+    dialog.show();
+    QElapsedTimer time;
+    time.start();
+    while (!is_there(15ms)) {
+        const WorkProgress::Stage stage = progress.stage();
+        QString text = title;
+        if (!stage.doing.empty()) {
+            dialog.setMaximum(100);
+            dialog.setValue(static_cast<int>(100 * stage.share));
+            text += QStringLiteral("  %1, %2 %").arg(qt(stage.doing)).arg(dialog.value());
+        }
+        dialog.setLabelText(text + QStringLiteral("  (%1 s)").arg(time.elapsed() / 1000));
+        QApplication::processEvents();
+        if (dialog.wasCanceled()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace raytree::inspector
