@@ -71,7 +71,7 @@ TEST_CASE(
         const bool large = n == 400;
         CHECK(drawn.thinned_from == (large ? all : 0));
         CHECK((drawn.faces.triangle_count() < all) == large);
-        CHECK(drawn.faces.triangle_count() <= 100'000);
+        CHECK(drawn.faces.triangle_count() <= 40'000);
     }
 }
 

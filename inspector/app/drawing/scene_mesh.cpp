@@ -15,8 +15,8 @@ namespace raytree::inspector {
 namespace {
 
 constexpr double triangle_budget = 250'000;
-constexpr double mesh_budget = 100'000;  // triangles of all meshes, which have no fewer from afar
-constexpr double most_slices = 90;       // of a round shape
+constexpr double mesh_budget = 40'000;  // triangles of all meshes, which have no fewer from afar
+constexpr double most_slices = 90;      // of a round shape
 
 /// See SceneMesh. `firmness` from 0 to 1.
 std::uint8_t alpha_of(double firmness, bool flat) {
