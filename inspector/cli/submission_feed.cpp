@@ -19,8 +19,8 @@ bool is_picture(const std::string& file) {
 bool is_tree(const std::string& file) { return extension_of(file) == "json"; }
 
 /// A folder's trees and archives; where it has none, its pictures.
-std::vector<fs::path> files_inside(const std::string& folder) {
-    std::vector<fs::path> trees, pictures;
+std::vector<std::string> files_inside(const std::string& folder) {
+    std::vector<std::string> trees, pictures;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(folder, error), end; entry != end && !error;
          entry.increment(error)) {
@@ -29,9 +29,9 @@ std::vector<fs::path> files_inside(const std::string& folder) {
             continue;
         }
         if (is_tree(name) || ArchiveReader::is_archive(name)) {
-            trees.push_back(entry->path());
+            trees.push_back(name);
         } else if (is_picture(name)) {
-            pictures.push_back(entry->path());
+            pictures.push_back(name);
         }
     }
     if (trees.empty() && pictures.empty()) {
@@ -55,10 +55,10 @@ SubmissionFeed::SubmissionFeed(const std::vector<std::string>& named, bool anony
             files_.emplace_back(name);
             continue;
         }
-        const std::vector<fs::path> inside = files_inside(name);
+        const std::vector<std::string> inside = files_inside(name);
         files_.insert(files_.end(), inside.begin(), inside.end());
     }
-    std::ranges::sort(files_, {}, [](const fs::path& file) { return file.string(); });
+    std::ranges::sort(files_);
     files_.erase(std::unique(files_.begin(), files_.end()), files_.end());
 }
 
@@ -95,9 +95,9 @@ std::optional<Handed> SubmissionFeed::next() {
         if (at_ == files_.size()) {
             return std::nullopt;
         }
-        const fs::path& file = files_[at_++];
+        const std::string& file = files_[at_++];
         Handed handed;
-        handed.name = file.string();
+        handed.name = file;
         handed.file = file;
         if (!ArchiveReader::is_archive(handed.name)) {
             return named(std::move(handed));

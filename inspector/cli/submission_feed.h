@@ -35,7 +35,7 @@ class SubmissionFeed {
     Handed named(Handed handed);
     std::optional<Handed> from_archive();
 
-    std::vector<std::filesystem::path> files_;
+    std::vector<std::string> files_;  ///< not paths, which take ten times the memory
     std::size_t at_ = 0;
     bool anonymous_;
     std::size_t handed_out_ = 0;

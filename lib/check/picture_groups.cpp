@@ -100,7 +100,7 @@ class Groups {
             text += "; where it is not so, none differs";
             text = whole ? text : text.substr(0, text.find("; "));
         } else if (!agreeing_.empty()) {
-            text += "; some with that are right";
+            text += "; some pixels like these are right";
         }
         return of_pixels(std::move(text), pixels, all);
     }
