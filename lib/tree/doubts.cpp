@@ -100,9 +100,48 @@ template <class Meets> void DoubtFinder::around(const TreeRay<double>& ray, Goin
                       ulps});
 }
 
+/// Whether two shapes meet the ray at one place in both arithmetics, so that their order decides.
+bool DoubtFinder::is_tie(const TreeRay<double>& ray, PrimitiveId a, PrimitiveId b) const {
+    const auto same = [&]<class T>(T) {
+        const Ray<T> line{vector_cast<T>(ray.origin), vector_cast<T>(ray.direction), T(0)};
+        const auto& shapes = world<T>().shapes.shapes();
+        const Roots<T> x = shapes.intersect(a, line, no_primitive);
+        const Roots<T> y = shapes.intersect(b, line, no_primitive);
+        return x.count == y.count && x.t == y.t;
+    };
+    return same(double()) && same(Quad());
+}
+
+/// What the ray's line crosses so near to a place on it that rounding does not tell which comes
+/// first: the shape at `place`, which is `except`, the start, or an end of the ray. Rays beside it
+/// do not show that, for of two surfaces in one place the same one wins on all of them.
+void DoubtFinder::in_depth(const TreeRay<double>& ray, Bounded place, PrimitiveId except,
+                           const std::string& what, const NoiseList& noise,
+                           std::vector<Doubt>& doubts) const {
+    const double scale = place.value + largest_component(ray.origin);
+    const double window = std::max(0x1p-20 * scale, 4 * place.error);
+    const Vec3<Quad> d = vector_cast<Quad>(ray.direction);
+    const Ray<Quad> line{along(vector_cast<Quad>(ray.origin), Quad(-window), d), d, Quad(0)};
+    const Interval<Quad> near{Quad(place.value), Quad(place.value) + 2 * Quad(window)};
+    NoTestCount count;
+    for (const Hit<Quad>& hit : reference_.shapes.all(line, no_primitive, near, count)) {
+        if (hit.primitive == except) {
+            continue;
+        }
+        const auto off = static_cast<double>(abs(hit.t - Quad(window) - Quad(place.value)));
+        if (off <= place.error + t_error(hit.primitive, ray, place.value, noise) &&
+            !(except != no_primitive && is_tie(ray, except, hit.primitive))) {
+            const double ulps = off / (2 * u_ * scale);
+            doubts.push_back(
+                {"within " + ulps_text(ulps) + " of " + what + name_of(hit.primitive), ulps});
+            return;
+        }
+    }
+}
+
 void DoubtFinder::carrying_ray(const TreeRay<double>& ray, const std::optional<LeftSurface>& from,
                                const std::optional<PrimitiveId>& met, const NoiseList& noise,
-                               double path, std::vector<Doubt>& doubts) const {
+                               Bounded path, std::vector<Doubt>& doubts) const {
     Going going = Going::unknown;
     if (from) {
         going = from->front == (ray.kind == RayKind::reflected) ? Going::outwards : Going::inwards;
@@ -113,7 +152,7 @@ void DoubtFinder::carrying_ray(const TreeRay<double>& ray, const std::optional<L
         interval.from = reference_.camera.near_along(vector_cast<Quad>(ray.direction));
     }
     if (reference_.max_distance) {
-        interval.to = *reference_.max_distance - Quad(path);
+        interval.to = *reference_.max_distance - Quad(path.value);
     }
     NoTestCount count;
     const double reach = ray.hit ? ray.hit->t : largest_component(ray.origin);
@@ -125,18 +164,47 @@ void DoubtFinder::carrying_ray(const TreeRay<double>& ray, const std::optional<L
             return name_of(hit ? std::optional(hit->primitive) : std::nullopt);
         },
         doubts);
+    if (from) {
+        in_depth(ray, {0, 0}, leaving, "starting beyond ", noise, doubts);
+    }
+    if (interval.from > 0) {
+        const auto near = static_cast<double>(interval.from);
+        in_depth(ray, {near, 8 * u_ * near}, no_primitive, "the near plane, where it crosses ",
+                 noise, doubts);
+    }
+    Bounded place{0, 0};
     if (ray.hit && met) {
-        const double error = t_error(*met, ray, ray.hit->t, noise);
-        const auto near_end = [&](Quad end) { return abs(Quad(ray.hit->t) - end) <= Quad(error); };
-        if (near_end(interval.to) || (interval.from > 0 && near_end(interval.from))) {
-            doubts.push_back({"within rounding of the near or the largest distance", 1});
+        place = {ray.hit->t, t_error(*met, ray, ray.hit->t, noise)};
+        if (doubts.empty()) {
+            in_depth(ray, place, *met, "meeting " + name_of(met) + " behind ", noise, doubts);
+        }
+    }
+    if (reference_.max_distance) {
+        const auto end = static_cast<double>(interval.to);
+        const double error = path.error + 8 * u_ * static_cast<double>(*reference_.max_distance);
+        if (end > 0 && (!ray.hit || end - place.value <= error + place.error)) {
+            in_depth(ray, {end, error}, no_primitive, "the largest distance, where it crosses ",
+                     noise, doubts);
         }
     }
 }
 
+/// What comes through all that is in between, in an arithmetic that has the range for it.
+Rgb<Quad> DoubtFinder::through(const Ray<Quad>& ray, PrimitiveId leaving,
+                               Interval<Quad> interval) const {
+    NoTestCount count;
+    Rgb<Quad> product(Quad(1));
+    for (const Hit<Quad>& hit : reference_.shapes.all(ray, leaving, interval, count)) {
+        const std::size_t object = reference_.shapes.shapes()[hit.primitive].object;
+        product *= reference_.materials[reference_.scene().objects[object].material].kt;
+    }
+    return product;
+}
+
 void DoubtFinder::shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bool front,
                              const std::optional<PrimitiveId>& blocker, ShadowMode mode,
-                             const NoiseList& noise, std::vector<Doubt>& doubts) const {
+                             double distance_error, const NoiseList& noise,
+                             std::vector<Doubt>& doubts) const {
     const Going going = front ? Going::outwards : Going::inwards;
     Interval<Quad> interval;
     if (ray.shadow->distance) {
@@ -155,19 +223,35 @@ void DoubtFinder::shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bo
                 return name_of(hit ? std::optional(hit->primitive) : std::nullopt);
             },
             doubts);
+    } else {
+        const auto crossed = [&]<class T>(const Ray<T>& probe) {
+            std::string names;
+            for (const Hit<T>& hit :
+                 world<T>().shapes.all(probe, leaving, interval_cast<T>(interval), count)) {
+                names += (names.empty() ? "" : ", ") + name_of(hit.primitive);
+            }
+            return names.empty() ? std::string("nothing") : names;
+        };
+        const Ray<Quad> line{vector_cast<Quad>(ray.origin), vector_cast<Quad>(ray.direction),
+                             Quad(0), going};
+        around(ray, going, reach, noise, crossed(line), crossed, doubts);
+        if (blocker && !is_zero(through(line, leaving, interval))) {
+            doubts.push_back({"so little comes through that it may count as nothing", 1});
+        }
+    }
+    if (!doubts.empty()) {
         return;
     }
-    const auto crossed = [&]<class T>(const Ray<T>& probe) {
-        std::string names;
-        for (const Hit<T>& hit :
-             world<T>().shapes.all(probe, leaving, interval_cast<T>(interval), count)) {
-            names += (names.empty() ? "" : ", ") + name_of(hit.primitive);
-        }
-        return names.empty() ? std::string("nothing") : names;
-    };
-    const Ray<Quad> line{vector_cast<Quad>(ray.origin), vector_cast<Quad>(ray.direction), Quad(0),
-                         going};
-    around(ray, going, reach, noise, crossed(line), crossed, doubts);
+    in_depth(ray, {0, 0}, leaving, "starting beyond ", noise, doubts);
+    if (blocker) {
+        const double t = ray.shadow->blocked_by->t;
+        in_depth(ray, {t, t_error(*blocker, ray, t, noise)}, *blocker,
+                 "meeting " + name_of(blocker) + " behind ", noise, doubts);
+    } else if (ray.shadow->distance) {
+        const double end = *ray.shadow->distance;
+        in_depth(ray, {end, distance_error + 16 * u_ * end}, no_primitive,
+                 "the light being behind ", noise, doubts);
+    }
 }
 
 void DoubtFinder::branches(const TreeRay<double>& ray, RayBounds& bounds, double speed,

@@ -19,6 +19,11 @@ struct LeftSurface {
     bool front = true;
 };
 
+/// A length and how far it may be off.
+struct Bounded {
+    double value = 0, error = 0;
+};
+
 class DoubtFinder {
   public:
     DoubtFinder(const World<double>& world, const World<Quad>& reference, double unit_roundoff)
@@ -28,13 +33,16 @@ class DoubtFinder {
     double t_error(PrimitiveId id, const TreeRay<double>& ray, double t,
                    const NoiseList& noise) const;
 
-    /// Whether the ray could have met something else than `met`, or nothing.
+    /// Whether the ray could have met something else than `met`, or nothing. `path` is the length
+    /// from the eye to its start.
     void carrying_ray(const TreeRay<double>& ray, const std::optional<LeftSurface>& from,
-                      const std::optional<PrimitiveId>& met, const NoiseList& noise, double path,
+                      const std::optional<PrimitiveId>& met, const NoiseList& noise, Bounded path,
                       std::vector<Doubt>& doubts) const;
+    /// `blocker` and, of a point light, `distance_error` are those of the shadow ray.
     void shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bool front,
                     const std::optional<PrimitiveId>& blocker, ShadowMode mode,
-                    const NoiseList& noise, std::vector<Doubt>& doubts) const;
+                    double distance_error, const NoiseList& noise,
+                    std::vector<Doubt>& doubts) const;
 
     /// Whether what follows from a hit could have been decided the other way: its side, total
     /// internal reflection, and branches whose weight is near the smallest.
@@ -42,11 +50,14 @@ class DoubtFinder {
                   const Settings& settings) const;
 
   private:
-    struct Probe;
-
     template <class Meets> void around(const TreeRay<double>& ray, Going going, double reach,
                                        const NoiseList& noise, const std::string& expected,
                                        Meets&& meets, std::vector<Doubt>& doubts) const;
+    void in_depth(const TreeRay<double>& ray, Bounded place, PrimitiveId except,
+                  const std::string& what, const NoiseList& noise,
+                  std::vector<Doubt>& doubts) const;
+    Rgb<Quad> through(const Ray<Quad>& ray, PrimitiveId leaving, Interval<Quad> interval) const;
+    bool is_tie(const TreeRay<double>& ray, PrimitiveId a, PrimitiveId b) const;
     template <class T> const World<T>& world() const;
     std::string name_of(std::optional<PrimitiveId> id) const;
 
