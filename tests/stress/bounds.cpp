@@ -94,7 +94,7 @@ Tally run(Random& random, std::uint64_t trials) {
 }  // namespace
 
 Row bounds() {
-    return {"bounds",
+    Row row{"bounds",
             "trees of two shapes of any kinds, mirrors or glass, of size 10^-9 to 10^9, up to 10^8 "
             "sizes from the origin, seen from up to 10^6 sizes away",
             "trees",
@@ -105,6 +105,8 @@ Row bounds() {
             1'000'000,
             80,
             run};
+    row.in_float = false;
+    return row;
 }
 
 }  // namespace raytree::stress

@@ -20,19 +20,30 @@ Polygon square(const Point& center, const Point& u, const Point& v) {
     return {{center - u - v, center + u - v, center + u + v, center - u + v}, {}};
 }
 
+/// Concave: an arrow head.
+Polygon arrow(const Point& center, const Point& u, const Point& v) {
+    return {{center + u, center + v - u, center - 0.4 * u, center - v - u}, {}};
+}
+
+/// Two plates, as they are or as unit ones that are taken there by a transform.
 void add_slab(Random& random, Body& body) {
     body.kind = Body::Kind::slab;
+    const bool transformed = random.chance(0.3);
+    const double unit = transformed ? body.size : 1;
+    const Point center = transformed ? Point(0, 0, 0) : body.center;
     const Vec3<double> n = random.direction();
-    const Vec3<double> u = body.size * random.across(n).vec();
+    const Vec3<double> u = body.size / unit * random.across(n).vec();
     const Vec3<double> v = outer(n, u);
-    const Vec3<double> half = body.thickness / 2 * n;
-    if (random.chance(0.5)) {
-        add(body.scene, square(body.center + half, u, v));
-        add(body.scene, square(body.center - half, u, v));
-    } else {
-        for (const double side : {1.0, -1.0}) {
-            const Point at = body.center + side * half;
-            add(body.scene, Polygon{{at + u, at + v - u, at - v - u}, {}});
+    const Vec3<double> half = body.thickness / 2 / unit * n;
+    const std::size_t outline = random.below(3);
+    const Affine there = stretched(random, body.size, 1, body.center);
+    for (const double side : {1.0, -1.0}) {
+        const Point at = center + side * half;
+        add(body.scene, outline == 0   ? square(at, u, v)
+                        : outline == 1 ? arrow(at, u, v)
+                                       : Polygon{{at + u, at + v - u, at - v - u}, {}});
+        if (transformed) {
+            body.scene.objects.back().transform = there;
         }
     }
 }
@@ -119,7 +130,7 @@ template <class T> class Judge {
     void judge(const Ray<T>& ray, double cosine, PrimitiveId leaving,
                const std::optional<Hit<T>>& next, Tally& tally) {
         const Expected expected = expect(ray, cosine, leaving);
-        const bool self_hit = next && next->primitive == leaving && body_.kind == Body::Kind::slab;
+        const bool self_hit = next && next->primitive == leaving && is_flat();
         Outcome& outcome = tally.in<T>();
         if (!self_hit &&
             (expected == Expected::either ||
@@ -151,6 +162,12 @@ template <class T> class Judge {
             return expect_of_cone(ray, cosine, leaving);
         }
         return is_near_neighbour(ray, leaving) ? Expected::either : Expected::hit;
+    }
+
+    /// What is made of planes cannot be met again where it has just been left.
+    bool is_flat() const {
+        return body_.kind == Body::Kind::slab ||
+               std::holds_alternative<Mesh>(body_.scene.objects[0].shape);
     }
 
     Ray<Quad> exact(const Ray<T>& ray) const {
@@ -219,23 +236,27 @@ template <class T> class Judge {
         return wide != narrow ? Expected::either : wide ? Expected::hit : Expected::no_hit;
     }
 
-    /// Into the slab, the other face is met where the exact ray meets its inner part.
+    /// Into the slab, the other face is met where all exact rays meet it that start as far away as
+    /// the start may be off: nearer to the face and farther, and to both sides.
     Expected expect_of_slab(const Ray<T>& ray, double cosine, PrimitiveId leaving) const {
-        const PrimitiveId other = 1 - leaving;
-        const Roots<Quad> roots = exact_.intersect(other, exact(ray), no_primitive);
-        const bool inwards = (leaving == 0) == (cosine < 0);
-        if (!inwards_is_known(ray, cosine)) {
+        if (body_.thickness <= 8 * slack(ray)) {
             return Expected::either;
         }
-        return inwards && roots.count > 0 ? Expected::hit
-               : inwards                  ? Expected::either
-                                          : Expected::no_hit;
-    }
-
-    /// The faces are farther apart than the start may be off, and the other one is met well inside.
-    bool inwards_is_known(const Ray<T>& ray, double cosine) const {
-        return body_.thickness > 8 * slack(ray) &&
-               body_.thickness < 0.1 * std::abs(cosine) * body_.size;
+        if ((leaving == 0) != (cosine < 0)) {
+            return Expected::no_hit;
+        }
+        const PrimitiveId other = 1 - leaving;
+        const Ray<Quad> straight = exact(ray);
+        const Vec3<Quad> n = exact_.surface_at(leaving, straight, Quad(0)).geometric_normal;
+        const Vec3<Quad> u = UnitVec3<Quad>::of(outer(n, straight.direction));
+        int met = 0, tried = 0;
+        for (const Vec3<Quad>& aside : {n, Vec3<Quad>(-n), u, Vec3<Quad>(-u)}) {
+            Ray<Quad> beside = straight;
+            beside.origin = along(beside.origin, Quad(slack(ray)), aside);
+            met += exact_.intersect(other, beside, no_primitive).count;
+            ++tried;
+        }
+        return met == tried ? Expected::hit : met == 0 ? Expected::no_hit : Expected::either;
     }
 
     const Body& body_;
@@ -265,7 +286,8 @@ Tally run(Random& random, std::uint64_t trials) {
 
 Row leaving() {
     return {"leaving",
-            "rays that leave spheres, ellipsoids, cones, meshes and plates, of size 10^-9 to 10^9, "
+            "rays that leave spheres, ellipsoids, cones, meshes and (concave) plates, of size "
+            "10^-9 to 10^9, "
             "up to 10^8 sizes from the origin, at cosines down to 10^-14",
             "rays",
             "none meets again where it starts, none passes through the body",

@@ -137,6 +137,7 @@ struct Row {
     std::function<Tally(Random&, std::uint64_t trials)> run;
     /// Instead of it, where the trials are a list: does those from `first` on.
     std::function<Tally(std::uint64_t first, std::uint64_t trials)> run_range = {};
+    bool in_float = true;  ///< whether `float` is tried too
 };
 
 Row spheres();

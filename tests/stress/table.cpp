@@ -38,6 +38,10 @@ std::string figures(const Row& row, const Outcome& outcome) {
     return text;
 }
 
+std::string figures_in_float(const Row& row, const Tally& tally) {
+    return row.in_float ? figures(row, tally.in_float) : "not tried";
+}
+
 /// The table's lines, by the row's name.
 std::map<std::string, std::string, std::less<>> lines_of(std::string_view table) {
     std::map<std::string, std::string, std::less<>> lines;
@@ -65,7 +69,7 @@ std::string line_of(const Row& row, const std::string& tried, const std::string&
 
 std::string outcome_text(const Row& row, const Tally& tally) {
     std::string text = grouped(tally.trials) + " " + std::string(row.unit) + ": " +
-                       figures(row, tally.in_double) + " | float: " + figures(row, tally.in_float);
+                       figures(row, tally.in_double) + " | float: " + figures_in_float(row, tally);
     return row.worst.empty() ? text : text + " (of " + std::string(row.worst) + ")";
 }
 
@@ -81,7 +85,7 @@ void update_table(const std::string& file, const std::vector<Row>& rows, const R
     auto lines = lines_of(std::string_view(text).substr(inside, to - inside));
     lines[std::string(row.name)] = line_of(
         row, grouped(tally.trials) + " " + std::string(row.unit) + ", seed " + std::to_string(seed),
-        figures(row, tally.in_double), figures(row, tally.in_float), formatted("%.0f s", seconds));
+        figures(row, tally.in_double), figures_in_float(row, tally), formatted("%.0f s", seconds));
     std::string table =
         "| test | tried | must hold | trials | `double` | `float` | processor time |\n"
         "| --- | --- | --- | --- | --- | --- | --- |\n";

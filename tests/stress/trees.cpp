@@ -40,15 +40,16 @@ bool is_scene(const std::filesystem::path& file) {
         return false;
     }
     const auto extension = file.extension();
-    return extension == ".json" || extension == ".nff" || extension == ".txt";
+    return extension == ".json" || extension == ".nff" || extension == ".txt" ||
+           extension == ".obj";  // a scene is made around a mesh
 }
 
 /// Every scene of the project, and those of others where they are.
 std::vector<std::unique_ptr<Subject>>& subjects() {
     static std::vector<std::unique_ptr<Subject>> list = [] {
         std::vector<std::string> files;
-        for (const char* folder :
-             {RAYTREE_DATA_DIR "/scenes", RAYTREE_LESSONS_DIR, RAYTREE_SHARED_DATA_DIR}) {
+        for (const char* folder : {RAYTREE_DATA_DIR "/scenes", RAYTREE_DATA_DIR "/meshes",
+                                   RAYTREE_LESSONS_DIR, RAYTREE_SHARED_DATA_DIR}) {
             std::error_code error;
             for (std::filesystem::recursive_directory_iterator entry(folder, error), end;
                  entry != end && !error; entry.increment(error)) {
@@ -94,20 +95,20 @@ Tally run_range(std::uint64_t first, std::uint64_t trials) {
 }  // namespace
 
 Row trees() {
-    Row row{
-        "trees",
-        "the ray trees of every scene in `data/`, `lessons/` and, where it is, the shared data, "
-        "at every pixel of 97 x 61",
-        "trees",
-        "the same shape as in the reference arithmetic, or marked as undecided there; every "
-        "number within its bound",
-        "its bound",
-        100,
-        subjects().size() * pixels,
-        50,
-        {},
-        {}};
+    Row row{"trees",
+            "the ray trees of every scene and mesh in `data/`, `lessons/` and, where it is, the "
+            "shared data, at every pixel of 97 x 61",
+            "trees",
+            "the same shape as in the reference arithmetic, or marked as undecided there; every "
+            "number within its bound",
+            "its bound",
+            100,
+            subjects().size() * pixels,
+            50,
+            {},
+            {}};
     row.run_range = run_range;
+    row.in_float = false;
     return row;
 }
 
