@@ -100,18 +100,6 @@ template <class Meets> void DoubtFinder::around(const TreeRay<double>& ray, Goin
                       ulps});
 }
 
-/// Whether two shapes meet the ray at one place in both arithmetics, so that their order decides.
-bool DoubtFinder::is_tie(const TreeRay<double>& ray, PrimitiveId a, PrimitiveId b) const {
-    const auto same = [&]<class T>(T) {
-        const Ray<T> line{vector_cast<T>(ray.origin), vector_cast<T>(ray.direction), T(0)};
-        const auto& shapes = world<T>().shapes.shapes();
-        const Roots<T> x = shapes.intersect(a, line, no_primitive);
-        const Roots<T> y = shapes.intersect(b, line, no_primitive);
-        return x.count == y.count && x.t == y.t;
-    };
-    return same(double()) && same(Quad());
-}
-
 /// What the ray's line crosses so near to a place on it that rounding does not tell which comes
 /// first: the shape at `place`, which is `except`, the start, or an end of the ray. Rays beside it
 /// do not show that, for of two surfaces in one place the same one wins on all of them.
@@ -129,8 +117,7 @@ void DoubtFinder::in_depth(const TreeRay<double>& ray, Bounded place, PrimitiveI
             continue;
         }
         const auto off = static_cast<double>(abs(hit.t - Quad(window) - Quad(place.value)));
-        if (off <= place.error + t_error(hit.primitive, ray, place.value, noise) &&
-            !(except != no_primitive && is_tie(ray, except, hit.primitive))) {
+        if (off <= place.error + t_error(hit.primitive, ray, place.value, noise)) {
             const double ulps = off / (2 * u_ * scale);
             doubts.push_back(
                 {"within " + ulps_text(ulps) + " of " + what + name_of(hit.primitive), ulps});

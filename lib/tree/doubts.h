@@ -57,7 +57,6 @@ class DoubtFinder {
                   const std::string& what, const NoiseList& noise,
                   std::vector<Doubt>& doubts) const;
     Rgb<Quad> through(const Ray<Quad>& ray, PrimitiveId leaving, Interval<Quad> interval) const;
-    bool is_tie(const TreeRay<double>& ray, PrimitiveId a, PrimitiveId b) const;
     template <class T> const World<T>& world() const;
     std::string name_of(std::optional<PrimitiveId> id) const;
 

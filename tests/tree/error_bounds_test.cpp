@@ -162,6 +162,31 @@ TEST_CASE("error bounds: faces that coincide, seen straight on and not") {
     }
 }
 
+TEST_CASE("error bounds: faces in one plane, met together on the recorded ray") {
+    Scene scene;
+    scene.camera.eye = {0.3, 1.7, 6};
+    scene.camera.look_at = {0, 0.7, 0};
+    scene.camera.window = HorizontalFov{45};
+    scene.camera.width = 97;
+    scene.camera.height = 61;
+    Material clear;
+    clear.kr = Colour(0.08);
+    clear.kt = Colour(0.9);
+    Material mirror;
+    mirror.kr = Colour(0.2);
+    test::add_material(scene, clear);
+    test::add_material(scene, matte());
+    test::add_material(scene, mirror);
+    test::add(scene, Polygon{{{-9, 0, 9}, {9, 0, 9}, {9, 0, -9}, {-9, 0, -9}}, {}}, 1);
+    test::add(scene, Polygon{{{-1, 0, 2}, {1.1, 0, 2.1}, {1, 0, 0.9}}, {}}, 2);
+    test::add(scene, Sphere{{0, 0.3, 1.3}, 0.3});
+    const World<double> own(scene);
+    const World<Quad> reference(scene);
+    const auto verdict = test::compare_trees(own, reference, 45, 39);
+    CAPTURE(verdict.what);
+    CHECK(!verdict.wrong);
+}
+
 TEST_CASE("error bounds: a ball that rests on a plane, and glass balls that touch") {
     for (const Frame& frame : frames()) {
         Scene scene = scene_of(frame);
