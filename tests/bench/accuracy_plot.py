@@ -7,6 +7,7 @@ import json
 import os
 import sys
 import tempfile
+import textwrap
 
 import matplotlib
 
@@ -223,7 +224,7 @@ def main(source, target):
         if data["without_" + program]:
             foot += f' {"Embree" if program == "embree" else "POV-Ray"} is not shown: '
             foot += data["without_" + program] + "."
-    figure.text(0.05, 0.035, foot, fontsize=10, color=INK, wrap=True)
+    figure.text(0.05, 0.035, textwrap.fill(foot, 190), fontsize=10, color=INK)
     with tempfile.NamedTemporaryFile(dir=os.path.dirname(os.path.abspath(target)),
                                      suffix=".png", delete=False) as part:
         figure.savefig(part.name, facecolor="white")
