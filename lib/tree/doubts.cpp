@@ -223,7 +223,7 @@ void DoubtFinder::shadow_ray(const TreeRay<double>& ray, PrimitiveId leaving, bo
                              Quad(0), going};
         around(ray, going, reach, noise, crossed(line), crossed, doubts);
         if (blocker && !is_zero(through(line, leaving, interval))) {
-            doubts.push_back({"so little comes through that it may count as nothing", 1});
+            doubts.push_back({"within rounding of nothing coming through", 1});
         }
     }
     if (!doubts.empty()) {
@@ -266,8 +266,8 @@ void DoubtFinder::branches(const TreeRay<double>& ray, RayBounds& bounds, double
                              4 * u_ * weight;
         const double margin = std::abs(weight - settings.min_weight);
         if (weight > 0 && margin <= error) {
-            bounds.doubts.push_back({"a branch is within " + ulps_text(margin / u_ / 2 / weight) +
-                                         " of the smallest weight",
+            bounds.doubts.push_back({"within " + ulps_text(margin / u_ / 2 / weight) +
+                                         " of the smallest weight that a branch may have",
                                      margin / u_ / 2 / weight});
         }
     }
