@@ -16,7 +16,8 @@ struct WorkPoint {
     bool on_front = false;
 };
 
-/// Marks what nothing else is faster and better than; times within 5 % count as the same.
+/// Marks what nothing else is faster and better than; times within 5 % or within the spread between
+/// quartiles count as the same.
 void mark_front(std::vector<WorkPoint>& points);
 
 /// Says of the default settings that they are on the front, or what is better and why.
