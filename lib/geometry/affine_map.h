@@ -8,7 +8,9 @@
 
 namespace raytree {
 
-/// An invertible affine transform with its inverse, between a shape's own space and the world.
+/// An invertible affine transform with its inverse (by cofactors; Higham, Accuracy and Stability of
+/// Numerical Algorithms, 2nd ed. 2002, ch. 14), between a shape's own space and the world. With A
+/// and B the Frobenius norms of its matrix and of the inverse's, and c = A B:
 template <class T> class AffineMap {
   public:
     /// `matrix` must be invertible; its inverse is that of the doubles given, computed in T.
@@ -17,10 +19,13 @@ template <class T> class AffineMap {
     /// Whether every factor, there and back, is in the range of the arithmetic.
     bool in_range() const;
 
+    /// Off by at most u (4 A |p| + 2 |translation|).
     Vec3<T> point_to_world(const Vec3<T>& p) const;
-    /// By the inverse transpose, made unit.
+    /// By the inverse transpose, made unit. Off by at most 8 c u.
     UnitVec3<T> normal_to_world(const UnitVec3<T>& n) const;
     /// The same ray in the shape's own space: t is unchanged, so the direction is not unit there.
+    /// It is off by at most 8 c B u, the origin by B u (8 c |o| + 2 |origin| + 2 |translation|),
+    /// with o the origin from the translation.
     Ray<T> ray_to_own_space(const Ray<T>& ray) const;
 
   private:

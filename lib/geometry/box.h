@@ -7,7 +7,9 @@
 
 namespace raytree {
 
-/// An axis-parallel box; empty where min > max.
+/// An axis-parallel box; empty where min > max. What it includes it has exactly; how much wider it
+/// must be for what is computed in it, ShapeSet::bounds says, and the hierarchy that meets it
+/// rounds outwards (Ize, "Robust BVH ray traversal", JCGT 2(2), 2013).
 struct Box {
     Vec3<double> min{std::numeric_limits<double>::infinity()};
     Vec3<double> max{-std::numeric_limits<double>::infinity()};

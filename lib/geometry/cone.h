@@ -67,7 +67,9 @@ template <class T> bool on_surface(const ConeShape<T>& cone, const Vec3<T>& from
 /// near the shape, as for a sphere; the roots are found without cancellation (q = b + sign(b)
 /// sqrt(b^2 - a c), c / q and q / a: Press et al., Numerical Recipes, eq. 5.6.4). From a start on
 /// the surface the other root is -2 b / a; there is none for a ray that goes outwards, and b < 0
-/// for one that goes inwards, whatever rounding has made of it.
+/// for one that goes inwards, whatever rounding has made of it. A root is off by at most
+/// u (64 a + 16 r) along the normal, with `a` the way from the origin to the far side of the shape
+/// and r its largest coordinate, and 4 u t along the ray.
 template <class T> Roots<T> intersect(const ConeShape<T>& cone, const Ray<T>& ray, Start start) {
     const Vec3<T> f = ray.origin - cone.base;
     const Vec3<T>& d = ray.direction;
@@ -113,7 +115,8 @@ template <class T> Roots<T> intersect(const ConeShape<T>& cone, const Ray<T>& ra
 }
 
 /// The point of the surface nearest to `origin + t direction`; the normal points away from the
-/// axis, and along it at the tip of a cone, where it has no other direction.
+/// axis, and along it at the tip of a cone, where it has no other direction. The point is off the
+/// surface by at most 8 u times the largest coordinate and the extent of the shape together.
 template <class T> SurfacePoint<T> surface_at(const ConeShape<T>& cone, const Ray<T>& ray, T t) {
     const Vec3<T> from_base = along(Vec3<T>(ray.origin - cone.base), t, ray.direction);
     const AxisParts<T> p = split(cone, from_base);

@@ -42,7 +42,9 @@ template <class T> struct ScanAxes {
 /// Whether the ray's line passes through the polygon by the crossing (even-odd) rule, in the frame
 /// of the ray. Watertight: the vertices have their places there whatever polygon they belong to, an
 /// edge is always evaluated from its lower end to its upper, and the sign of its function is exact
-/// (difference_of_products), so that of two polygons which share an edge exactly one is met.
+/// (difference_of_products), so that of two polygons which share an edge exactly one is met. What
+/// is uncertain are the places in the frame, as ray_frame.h says. Where the plane is met, plane.h
+/// says.
 template <class T>
 bool passes_through(const PolygonShape<T>& polygon, const Ray<T>& ray, const RayFrame<T>& frame) {
     const ScanAxes<T> axes(frame, polygon.axes);

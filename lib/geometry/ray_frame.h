@@ -9,7 +9,8 @@ namespace raytree {
 /// A frame in which the ray is an axis: points are sheared along it on the plane across the axis
 /// of its largest component, relative to its origin (Woop, Benthin & Wald, "Watertight ray/triangle
 /// intersection", JCGT 2(1), 2013). A vertex has the same place there for every shape that it
-/// belongs to, so that shapes which share an edge agree on which side of it the ray passes.
+/// belongs to, so that shapes which share an edge agree on which side of it the ray passes. A place
+/// is off by at most 5 u times the largest component of the way from the origin.
 template <class T> struct RayFrame {
     int x = 0, y = 1, z = 2;
     T shear_x{}, shear_y{};
@@ -28,7 +29,8 @@ template <class T> struct RayFrame {
     T y_of(const Vec3<T>& from_origin) const { return from_origin[y] - shear_y * from_origin[z]; }
 };
 
-/// Between which t a ray that meets the convex hull of some points meets it.
+/// Between which t a ray that meets the convex hull of some points meets it, each off by at most 4
+/// u times the largest component of the way to the farthest point.
 template <class T> struct Passage { T nearest, farthest; };
 
 template <class T>

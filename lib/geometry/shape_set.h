@@ -57,7 +57,8 @@ template <class T> class ShapeSet {
     template <ShapeFacts facts = ShapeFacts{}>
     SurfacePoint<T> surface_at(PrimitiveId id, const Ray<T>& ray, T t) const;
 
-    /// A box around the shape, wide enough for every hit that `intersect` reports.
+    /// A box around the shape, wide enough for every hit that `intersect` reports: 64 u times its
+    /// largest coordinate on every side.
     Box bounds(PrimitiveId id) const;
 
     /// The shape itself, of a primitive of that kind.

@@ -14,7 +14,8 @@ template <class T> struct SphereShape {
 /// Günther & Akenine-Möller, "Precision improvements for ray/sphere intersection", Ray Tracing Gems
 /// ch. 7, 2019). From a start on the sphere the other root is -2 (f . d) / (d . d), none where the
 /// ray goes outwards; a chord too short for its sign to be known is one unit roundoff of the
-/// radius. What rounding does to a root, sphere_error.h says.
+/// radius. What rounding does to a root, sphere_error.h says: along the normal at most 16 u times
+/// the way from the origin to the far side.
 template <class T>
 Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start) {
     const Vec3<T> f = ray.origin - sphere.center;
@@ -54,7 +55,9 @@ Roots<T> intersect(const SphereShape<T>& sphere, const Ray<T>& ray, Start start)
     return roots;
 }
 
-/// The point of the sphere nearest to `origin + t direction`.
+/// The point of the sphere nearest to `origin + t direction`: off the sphere by at most
+/// u (4 radius + 2 |center|). The normal there is off by at most u (4 + 2 (|origin - center| + t) /
+/// radius), `t` taken as exact.
 template <class T>
 SurfacePoint<T> surface_at(const SphereShape<T>& sphere, const Ray<T>& ray, T t) {
     const Vec3<T> f = ray.origin - sphere.center;

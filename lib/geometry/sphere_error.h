@@ -3,8 +3,9 @@
 #include "geometry/sphere.h"
 
 /// How far rounding may take the two-step intersection of sphere.h from the exact one: a running
-/// error analysis of its operations one after the other (Higham, Accuracy and Stability of
-/// Numerical Algorithms, 2nd ed. 2002, ch. 2 and 3). The ray and the sphere are taken as exact.
+/// error analysis of its operations one after the other (u: the unit roundoff; Higham, Accuracy and
+/// Stability of Numerical Algorithms, 2nd ed. 2002, ch. 2 and 3). The ray and the sphere are taken
+/// as exact.
 namespace raytree {
 
 /// The line of a ray and a sphere, in lengths of the space they are in.

@@ -19,7 +19,8 @@ template <class T> Plane<T> supporting_plane(const TriangleShape<T>& triangle) {
 }
 
 /// Where the ray meets the triangle's plane, as `meet` of a plane says, without what would only be
-/// a detour to one number: the normal is left as long as it is, and the point is a vertex.
+/// a detour to one number: the normal is left as long as it is, and the point is a vertex. The
+/// bound is the same.
 template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& ray, Start start,
                                 T nearest, T farthest) {
     const auto& [a, b, c] = triangle.vertices;
@@ -51,6 +52,8 @@ template <class T> bool encloses_origin(const std::array<T, 3>& px, const std::a
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
 /// both triangles on an edge compute the same edge function up to its sign, so that no ray passes
 /// between them (Woop, Benthin & Wald, "Watertight ray/triangle intersection", JCGT 2(1), 2013).
+/// Decided as exactly where the line passes every edge by more than 16 u times the way from the
+/// origin to the triangle's far side.
 template <class T>
 bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray, const RayFrame<T>& frame) {
     std::array<T, 3> px, py;
