@@ -100,7 +100,7 @@ TEST_CASE("app: seen onto a hit, angles on the screen are those in space, the ra
         if (!ray.hit || ray.hit->cos_incident > 0.999) {
             continue;
         }
-        const View view = hit_view(ray, t.extent, view_of(t));
+        const View view = hit_view(*t.document, ray, t.extent, view_of(t));
         const auto way = [&](const Point3& direction) {
             const auto at = project(view, ray.hit->point + 1e-3 * direction);
             REQUIRE(at);
@@ -145,6 +145,57 @@ TEST_CASE("app: rays that were not sent from the hit are ghosts with their reaso
     CHECK(drawn(traced(test::glass_ball_scene(), 0, 0), 0).words.empty());
 }
 
+TEST_CASE("app: what stepping has not come to is not drawn at the hit") {
+    Traced t = traced(test::glass_ball_scene(), 47, 33);
+    const auto tree = std::make_shared<PixelTree>(t.tree);
+    Playback playback(tree, StepOrder::depth_first, {"key", "sun"});
+    const auto at_step = [&](std::size_t stop) {
+        playback.go_to(stop);
+        const View view = view_of(t);
+        return angle_drawing({*t.document, t.tree, 0, t.extent, view, palette_of(Theme::light),
+                              true, true, &playback});
+    };
+    const auto all = drawn(t, 0);
+    REQUIRE(says(all, "θ₂"));
+    const AngleDrawing first = at_step(1), last = at_step(playback.stops() - 1);
+    CHECK(says(first, "θ₁"));
+    CHECK_FALSE(says(first, "θ₂"));
+    CHECK(first.solid.triangle_count() < last.solid.triangle_count());
+    CHECK(last.words.size() == all.words.size());
+    CHECK(last.solid.points == all.solid.points);
+}
+
+TEST_CASE("app: angles at a hit are drawn smaller where the scene is small on the screen") {
+    const Traced t = traced(test::glass_ball_scene(), 47, 33);
+    const Point3 at = t.tree.tree.rays[0].hit->point;
+    View view = view_of(t);
+    CHECK(size_at_hit(t.extent, view, at) <= 1);
+    const View near = zoomed(view, 20), far = zoomed(view, 0.2);
+    CHECK(size_at_hit(t.extent, near, at) == 1);
+    CHECK(size_at_hit(t.extent, far, at) < 0.6);
+    CHECK(size_at_hit(t.extent, far, at) > 0.4);
+}
+
+TEST_CASE("app: words cover as few rays as they can") {
+    const WordBox room{0, 0, 400, 300};
+    const WordWish wish{200, 150, std::nullopt, 80, 18};
+    const WordBox first = *place_words(wish, room, {});
+    CHECK(first.x > 200);  // to the right, where there is nothing
+    const WordLine ray{200, 150, 400, 150};
+    CHECK(ray.crosses(first));
+    const WordBox other = *place_words(wish, room, {}, {ray});
+    CHECK_FALSE(ray.crosses(other));
+    // Where every place covers one, the first does.
+    std::vector<WordLine> everywhere;
+    for (int k = 0; k < 40; ++k) {
+        everywhere.push_back({0, 8.0 * k, 400, 8.0 * k});
+    }
+    CHECK(place_words(wish, room, {}, everywhere));
+    CHECK_FALSE(WordLine{0, 0, 10, 10}.crosses({20, 0, 10, 10}));
+    CHECK(WordLine{-5, 5, 50, 5}.crosses({20, 0, 10, 10}));
+    CHECK(WordLine{25, -5, 25, 50}.crosses({20, 0, 10, 10}));
+}
+
 TEST_CASE("app: words keep clear of each other and within their room") {
     const WordBox room{0, 0, 400, 300};
     std::vector<WordBox> taken;
@@ -167,7 +218,7 @@ TEST_CASE("app: words keep clear of each other and within their room") {
     WordWish wish{200, 150, std::array{300.0, 150.0}, 80, 18};
     wish.far = 0;
     CHECK_FALSE(place_words(wish, room, {{0, 0, 400, 300}}));
-    CHECK_FALSE(place_words({-50, -50, std::nullopt, 20, 10}, room, {}));
+    CHECK_FALSE(place_words({-60, -60, std::nullopt, 20, 10}, room, {}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/scenes.h"
+#include "drawing/ground.h"
 #include "drawing/polygon_fill.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/scene_mesh.h"
@@ -98,15 +99,68 @@ TEST_CASE("app: convex and concave polygons are filled with their own area") {
     CHECK(area_of(filled(star)) > 0.2 * outer);
 }
 
-TEST_CASE("app: clipping to a box keeps what is inside") {
+TEST_CASE("app: an outline is clipped where a plane cuts it") {
     const std::vector<Point3> square = {{-9, 0, -9}, {9, 0, -9}, {9, 0, 9}, {-9, 0, 9}};
-    const auto kept = clipped(square, {-1, -1, -1}, {1, 1, 2});
+    const auto kept = clipped(square, {1, 0, 0}, 2);
     CHECK(kept.size() == 4);
     for (const Point3& p : kept) {
-        CHECK(std::abs(p.x) <= 1);
-        CHECK(p.z <= 2);
+        CHECK(p.x <= 2);
     }
-    CHECK(clipped(square, {-1, 1, -1}, {1, 2, 2}).empty());
+    CHECK(clipped(square, {0, -1, 0}, 1).size() == 4);
+    CHECK(clipped(square, {0, 1, 0}, -1).empty());
+}
+
+TEST_CASE("app: a floor that goes on for ever fades to nothing on a circle") {
+    Extent extent;
+    extent.seen = {{-3, 0, -4}, {3, 0, 4}};
+    extent.diagonal = 10;
+    const Ground ground(extent);
+    const Ground::Triangle floor{Point3(-1e3, 0, -1e3), Point3(1e3, 0, -1e3), Point3(0, 0, 2e3)};
+    CHECK_FALSE(ground.is_firm(floor));
+    CHECK(ground.is_firm({Point3(-1, 0, -1), Point3(1, 0, -1), Point3(0, 0, 2)}));
+    double farthest = 0;
+    const auto facets = ground.facets(floor, {0, 1, 0});
+    for (const Ground::Triangle& facet : facets) {
+        for (const Point3& corner : facet) {
+            farthest = std::max(farthest, glm::length(corner));
+            CHECK(corner.y == 0);
+        }
+    }
+    // Nothing lies beyond the rim but the corners of the outline around its circle.
+    CHECK(farthest < 9.02);
+    CHECK(ground.firmness({0, 0, 9}) == 0);
+    CHECK(ground.firmness({0, 0, 3}) == 1);
+    const double pi = std::acos(-1.0);
+    CHECK(area_of(facets) == doctest::Approx(81 * pi).epsilon(0.002));
+    for (const auto& [from, to] : ground.grid(floor, {0, 1, 0})) {
+        CHECK(glm::length(to - from) < 0.61);
+        CHECK(std::abs(std::remainder(from.x, 1)) + std::abs(std::remainder(from.z, 1)) < 1.01);
+    }
+}
+
+TEST_CASE("app: of a see-through ball the far side is drawn before the near one") {
+    const auto document = test::document_of(test::glass_ball_scene());
+    const Extent extent = extent_of(*document);
+    const SceneMesh mesh = scene_mesh(*document, extent, 0.002 * extent.diagonal);
+    for (const Point3& eye : {Point3(0, 3, 9), Point3(8, 1, -4), Point3(-6, 7, 0.5)}) {
+        for (std::size_t k = 0; k < mesh.objects.size(); ++k) {
+            if (mesh.objects[k].flat || mesh.objects[k].count < 100) {
+                continue;
+            }
+            const std::vector<std::size_t> one{k};
+            const auto triangles = triangles_of(mesh, one, eye);
+            bool near_side = false;
+            for (std::size_t at = 0; at < triangles.size(); at += 3) {
+                const auto corner = 3 * static_cast<std::size_t>(triangles[at]);
+                const Point3 p(mesh.faces.points[corner], mesh.faces.points[corner + 1],
+                               mesh.faces.points[corner + 2]);
+                const bool faces_eye = glm::dot(p - mesh.objects[k].centre, eye - p) > 1e-5;
+                CHECK_FALSE((near_side && glm::dot(p - mesh.objects[k].centre, eye - p) < -1e-5));
+                near_side |= faces_eye;
+            }
+            CHECK(near_side);
+        }
+    }
 }
 
 TEST_CASE("app: the extent is of what is seen, not of a floor that goes on for ever") {
@@ -279,7 +333,7 @@ TEST_CASE("app: all shapes of a scene are drawn, and drawing order only sorts th
     CHECK(mesh.objects.size() == 5);
     check_sound(mesh.faces);
     CHECK_FALSE(mesh.wires.segments.empty());
-    auto sorted = triangles_of(mesh, drawing_order(mesh, extent, {0, 3, 9}));
+    auto sorted = triangles_of(mesh, drawing_order(mesh, extent, {0, 3, 9}), {0, 3, 9});
     auto all = mesh.faces.triangles;
     REQUIRE(sorted.size() == all.size());
     std::ranges::sort(sorted);

@@ -149,6 +149,47 @@ def check_script(folder):
     check("script hides shadow rays", counts[1] < counts[0] / 4, counts)
 
 
+def shown(folder, scene, theme, *lines, size="1280x800"):
+    """What the window shows after a script."""
+    file = folder / "shown.png"
+    done = run(OPTIONS.data / "scenes" / f"{scene}.json", "--theme", theme, "--size", size,
+               "--script", script(folder, *lines), "--screenshot", file)
+    check(f"{scene} {theme} {lines}", done.returncode == 0, done.stderr)
+    return read_png(file)
+
+
+def check_views(folder):
+    """Each view and each way to draw shapes shows the rays in their colours, in both themes."""
+    for theme in RAYS:
+        for lines, kinds in [(["view.fit_tree"], ["primary", "reflected", "refracted", "lit"]),
+                             (["view.hit", "shapes.solid"], ["primary", "reflected", "selection"]),
+                             (["view.side", "shapes.wire"], ["primary", "reflected", "refracted"]),
+                             (["view.camera", "ray.child"], ["lit", "selection"])]:
+            width, height, rows = shown(folder, "glass-ball", theme, "pixel.pick 210,286", *lines)
+            view = slice(width * 33 // 100, width), slice(height // 10, height * 52 // 100)
+            for kind in kinds:
+                found = count_near(rows, RAYS[theme][kind], *view)
+                check(f"{theme} {lines}", found > 60, f"{found} pixels in the colour of {kind}")
+
+
+def check_diagram(folder):
+    """With more room, the whole of a full tree is to be seen: boxes in the colours of their rays, the
+    deepest level as well."""
+    for theme, colours in RAYS.items():
+        width, height, rows = shown(folder, "full-tree", theme, "pixel.pick 320,200", "tab.tall",
+                                    "tab.diagram")
+        right = slice(width * 33 // 100, width)
+        top, low = height * 40 // 100, height * 97 // 100
+        for kind in ["reflected", "refracted"]:
+            found = count_near(rows, colours[kind], right, slice(top, low))
+            check(f"diagram {theme}", found > 600, f"{found} pixels in the colour of {kind}")
+        # Below the deepest level there is a margin.
+        last = slice(height * 955 // 1000, low)
+        ink = sum(count_near(rows, colours[kind], right, last)
+                  for kind in ["reflected", "refracted"])
+        check(f"diagram {theme}", ink == 0, f"{ink} pixels of boxes at the lower edge")
+
+
 def check_selection_after_tab(folder):
     """The 3D view shows the selected ray whatever tab the tree is in."""
     scene = OPTIONS.data / "scenes" / "glass-ball.json"
@@ -174,6 +215,8 @@ def main():
         check_screenshot(folder, "glass-ball", "dark", "1920x1080")
         check_script(folder)
         check_selection_after_tab(folder)
+        check_views(folder)
+        check_diagram(folder)
     print(f"{len(failures)} failures")
     return 1 if failures else 0
 

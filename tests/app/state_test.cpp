@@ -190,6 +190,17 @@ TEST_CASE("app: lines of a script are commands with arguments") {
     CHECK_THROWS_AS(run_line(state, "ray.select 100000"), InputError);
     CHECK_THROWS_AS(run_line(state, "ray.select one"), InputError);
     CHECK_THROWS_AS(run_line(state, "no.such"), InputError);
+    std::optional<lesson::FreeView> from;
+    state.observe(
+        [&](const Changes& changes) { from = changes.view_from ? changes.view_from : from; });
+    run_line(state, "view.from 1,2,3  0,-0.5,1e1");
+    REQUIRE(from);
+    CHECK(from->eye == Vec3<double>(1, 2, 3));
+    CHECK(from->target == Vec3<double>(0, -0.5, 10));
+    for (const char* bad :
+         {"", "1,2,3", "1 2 3 4 5 6 7", "1,2,3,1,2,3", "1,2,x,4,5,6", "1,2,3,4,5,inf"}) {
+        CHECK_THROWS_AS(run_line(state, std::string("view.from ") + bad), InputError);
+    }
     CHECK(state.selected()->id == 1);
 }
 

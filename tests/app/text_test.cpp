@@ -30,6 +30,34 @@ const DetailRow* find_row(const std::vector<DetailSection>& sections, const std:
     return nullptr;
 }
 
+TEST_CASE("app: what a sum does not notice is shown as 0, and copied with its digits") {
+    PixelTree tree = ball_tree();
+    TreeRay<double>& ray = tree.tree.rays[0];
+    REQUIRE(ray.hit);
+    ray.intensity = {0.5, 0.25, 0.75};
+    ray.specular = {2e-141, 0.25 * 1e-15, 1e-39};
+    const auto sections = details_of(tree, 0);
+    const DetailRow* const row = find_row(sections, "+ specular");
+    REQUIRE(row);
+    CHECK(row->cells[0] == "0");
+    CHECK(row->cells[1] != "0");  // 0.25 + 0.25e-15 is not 0.25
+    CHECK(row->cells[2] == "0");
+    CHECK(row->values == std::vector<double>{2e-141, 0.25 * 1e-15, 1e-39});
+    // Of an intensity that is as small, it is all there is.
+    ray.intensity = ray.specular;
+    const auto small = details_of(tree, 0);
+    CHECK(find_row(small, "+ specular")->cells[0] != "0");
+    // What a shadow ray adds is measured by the intensity that it adds to.
+    for (TreeRay<double>& shadow : tree.tree.rays) {
+        if (shadow.shadow && shadow.parent == std::optional<std::size_t>(0)) {
+            tree.tree.rays[0].intensity = Rgb<double>(0.5);
+            shadow.specular = Rgb<double>(1e-39);
+            const auto added = details_of(tree, shadow.id);
+            CHECK(find_row(added, "+ specular")->cells[0] == "0");
+        }
+    }
+}
+
 TEST_CASE("app: numbers in a column have the same decimals") {
     CHECK(aligned(Vec3<double>(1, -22.5, 0)) ==
           std::vector<std::string>{"1.0000", "-22.5000", "0"});

@@ -225,6 +225,45 @@ class WindowSeeingTest : public QObject {
         QVERIFY(known);
     }
 
+    void the_picture_in_the_3d_view_consists_of_squares() {
+        // Seen straight on from near, its pixels are as wide as a finger.
+        ScenePane& pane = window_->scene_pane();
+        const Extent extent = extent_of(*state_.document());
+        const auto corners = picture_corners(*state_.document(), extent.plane_distance);
+        const Camera& camera = state_.document()->scene().camera;
+        const Point3 middle = (corners[0] + corners[2]) * 0.5;
+        run_command(state_, "show.names");
+        // From behind it, where looking through the camera does not hide it.
+        state_.look_from({middle + 0.7 * (middle - camera.eye), middle});
+        QTRY_VERIFY(pane.place_of(middle));
+        QTest::qWait(250);
+        const QImage image = pane.grab().toImage();
+        const Point3 right = (corners[1] - corners[0]) / static_cast<double>(camera.width);
+        const Point3 down = (corners[3] - corners[0]) / static_cast<double>(camera.height);
+        int compared = 0, uneven = 0;
+        for (int j = 0; j < camera.height; ++j) {
+            for (int i = 0; i < camera.width; ++i) {
+                const auto colour = [&](double x, double y) -> std::optional<QColor> {
+                    const auto at = pane.place_of(corners[0] + right * (i + x) + down * (j + y));
+                    const bool inside =
+                        at && pane.rect().adjusted(9, 9, -9, -60).contains(at->toPoint());
+                    return inside ? std::optional(image.pixelColor(at->toPoint())) : std::nullopt;
+                };
+                const auto a = colour(0.3, 0.3), b = colour(0.7, 0.7);
+                if (a && b) {
+                    ++compared;
+                    uneven += std::abs(a->red() - b->red()) + std::abs(a->green() - b->green()) +
+                                  std::abs(a->blue() - b->blue()) >
+                              12;
+                }
+            }
+        }
+        run_command(state_, "show.names");
+        QVERIFY2(compared > 100, std::to_string(compared).c_str());
+        // But where a ray or a line of the frustum crosses it.
+        QVERIFY2(uneven < compared / 10, std::to_string(uneven).c_str());
+    }
+
     void the_3d_view_is_drawn_at_any_size() {
         ScenePane& pane = window_->scene_pane();
         const View before = pane.view();

@@ -22,7 +22,8 @@ class Builder {
         : in_(input),
           ray_(input.tree.tree.rays[input.selected]),
           at_(ray_.hit->point),
-          pixel_(length_per_pixel(input.view, at_)) {
+          size_(size_at_hit(input.extent, input.view, at_)),
+          pixel_(size_ * length_per_pixel(input.view, at_)) {
         const Point3 d = ray_.direction;
         normal_ = ray_.hit->normal;
         if (glm::dot(normal_, d) > 0) {
@@ -58,16 +59,19 @@ class Builder {
         return at_ + direction(angle) * (pixels * pixel_);
     }
 
+    /// Lines are as thick whatever the size of the whole.
+    double thick(double pixels) const { return pixels * pixel_ / size_; }
+
     void add_line(const Point3& from, const Point3& to, const Paint& paint) {
-        add_tube(paint.alpha == 255 ? out_.solid : out_.faint, {from, line * pixel_, paint},
-                 {to, line * pixel_, paint}, 6);
+        add_tube(paint.alpha == 255 ? out_.solid : out_.faint, {from, thick(line), paint},
+                 {to, thick(line), paint}, 6);
     }
 
     void add_dots(const Point3& to, double pixels, const Paint& paint, double first = 10) {
         const Point3 way = glm::normalize(to - at_);
         for (double s = first; s < pixels; s += 8) {
-            add_tube(out_.faint, {at_ + way * (s * pixel_), 1.2 * pixel_, paint},
-                     {at_ + way * ((s + 3.5) * pixel_), 1.2 * pixel_, paint}, 6);
+            add_tube(out_.faint, {at_ + way * (s * pixel_), thick(1.2), paint},
+                     {at_ + way * ((s + 3.5) * pixel_), thick(1.2), paint}, 6);
         }
     }
 
@@ -89,8 +93,8 @@ class Builder {
             const double a = from + (to - from) * k / steps,
                          b = from + (to - from) * (k + 1) / steps;
             add_tube(paint.alpha == 255 ? out_.solid : out_.faint,
-                     {place(a, radius), arc * pixel_, paint},
-                     {place(b, radius), arc * pixel_, paint}, 6);
+                     {place(a, radius), thick(arc), paint}, {place(b, radius), thick(arc), paint},
+                     6);
         }
     }
 
@@ -130,7 +134,7 @@ class Builder {
         const Paint paint{in_.palette[RayLook::reflected],
                           static_cast<std::uint8_t>(there ? 255 : 120)};
         add_sector(0, angle, incident_radius, paint);
-        if (there) {
+        if (there && size_ > 0.7) {  // where there is room to say it twice
             write(angle / 2, 1.1 * incident_radius, "θ₁ = " + angle_text(cosine_), false);
         }
     }
@@ -142,7 +146,9 @@ class Builder {
         out_.words.push_back({at_ + sideways_ * (-1.15 * axis_length * pixel_),
                               at_ + sideways_ * (-1.9 * axis_length * pixel_), media, true});
         if (surface.sin2_transmitted > 1) {
-            add_critical(surface);
+            if (!in_.playback || skipped(RayKind::refracted)) {
+                add_critical(surface);
+            }
             return;
         }
         if (!sent(RayKind::refracted) && !(in_.ghosts && skipped(RayKind::refracted))) {
@@ -175,18 +181,25 @@ class Builder {
 
     bool sent(RayKind kind) const {
         const auto& children = in_.tree.children[ray_.id];
-        return std::ranges::any_of(
-            children, [&](std::size_t child) { return in_.tree.tree.rays[child].kind == kind; });
+        return std::ranges::any_of(children, [&](std::size_t child) {
+            return in_.tree.tree.rays[child].kind == kind &&
+                   (!in_.playback || in_.playback->stage(child) != Stage::unsent);
+        });
     }
-    const Skipped* skipped(RayKind kind) const {
-        const auto found = std::ranges::find(ray_.skipped, kind, &Skipped::kind);
-        return found == ray_.skipped.end() ? nullptr : &*found;
+    bool skipped(RayKind kind) const {
+        return std::ranges::any_of(ray_.skipped, [&](const Skipped& ghost) {
+            return ghost.kind == kind && is_decided(ghost);
+        });
+    }
+    bool is_decided(const Skipped& ghost) const {
+        const auto place = static_cast<std::size_t>(&ghost - ray_.skipped.data());
+        return !in_.playback || in_.playback->decided(ray_.id, place);
     }
 
     /// Dotted, the way that the ray would have gone; nothing where it would have gone no way.
     void add_ghosts() {
         for (const Skipped& ghost : ray_.skipped) {
-            if (const auto way = way_of(ghost)) {
+            if (const auto way = is_decided(ghost) ? way_of(ghost) : std::nullopt) {
                 const Point3 tip = at_ + *way * (ghost_length * pixel_);
                 add_dots(tip, ghost_length, {in_.palette.dim_text, 200});
                 const std::string name = ghost.kind == RayKind::shadow
@@ -221,7 +234,8 @@ class Builder {
     const AngleInput& in_;
     const TreeRay<double>& ray_;
     Point3 at_;
-    double pixel_;
+    double size_;
+    double pixel_;  ///< the length of one of the pixels that sizes are given in
     Point3 normal_, sideways_;
     double cosine_ = 1;
     AngleDrawing out_;
@@ -231,6 +245,13 @@ class Builder {
 
 AngleDrawing angle_drawing(const AngleInput& input) {
     return input.tree.tree.rays[input.selected].hit ? Builder(input).build() : AngleDrawing();
+}
+
+double size_at_hit(const Extent& extent, const View& view, const Point3& at) {
+    constexpr double share = 0.065;  // of the diagonal, that the largest arc is wide at most
+    constexpr double smallest = 0.48;
+    const double diagonal = extent.diagonal / length_per_pixel(view, at);
+    return std::clamp(share * diagonal / incident_radius, smallest, 1.0);
 }
 
 Point3 reflected(const Point3& d, const Point3& normal) {

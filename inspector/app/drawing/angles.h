@@ -31,6 +31,7 @@ struct AngleInput {
     const Palette& palette;
     bool angles = true;
     bool ghosts = true;
+    const Playback* playback = nullptr;  ///< what it has not come to yet is not drawn
 };
 
 /// At the selected ray's hit: the angles of the incident ray and of what is reflected and
@@ -38,6 +39,9 @@ struct AngleInput {
 /// the critical angle; and, as ghosts with their reasons, the rays that were not sent from there.
 /// Nothing where the ray hits nothing.
 AngleDrawing angle_drawing(const AngleInput& input);
+
+/// The size of what is drawn at a hit, from about 0.5 to 1, where shapes are small on the screen.
+double size_at_hit(const Extent& extent, const View& view, const Point3& at);
 
 /// The direction in which light leaves a mirror that it meets in a unit direction `d`.
 Point3 reflected(const Point3& d, const Point3& normal);

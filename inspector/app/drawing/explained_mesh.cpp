@@ -4,10 +4,28 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "state/formula_details.h"
+#include "state/marked_texts.h"
+#include "tree/derivation.h"
+#include "tree/explain.h"
+
 namespace raytree::inspector {
 namespace {
 
 constexpr double reach = 2.5;  // of walls and rays that go on, in diagonals of what is seen
+
+/// All that the selected ray would meet, where the lesson's step talks of it.
+std::vector<AlongRay> met_along(const State& state, const Extent& extent) {
+    const TreeRay<double>* const ray = state.selected();
+    if (!ray || marked_formula(state) != lesson::Formula::along ||
+        !can_derive(*state.tree(), ray->id, state.playback())) {
+        return {};
+    }
+    std::vector<AlongRay> met =
+        derive(state.document()->world(), state.tree()->tree, ray->id).along;
+    std::erase_if(met, [&](const AlongRay& at) { return at.t > reach * extent.diagonal; });
+    return met;
+}
 
 class Builder {
   public:
@@ -34,6 +52,7 @@ class Builder {
         for (const ZBufferStep& step : all_.z_buffer) {
             add_ball_at(state_.tree()->tree.rays[0], step.t, palette_.accent, step.written ? 5 : 3);
         }
+        add_along(met_along(state_, extent_));
         return std::move(out_);
     }
 
@@ -43,6 +62,19 @@ class Builder {
     void add_ball_at(const TreeRay<double>& ray, double t, Ink ink, double pixels) {
         const Point3 at = along(ray.origin, t, ray.direction);
         inspector::add_ball(out_.solid, at, pixels * pixel(at), Paint{ink});
+    }
+
+    /// A ball at each hit, the one that counts larger, and the ray's line on to the last.
+    void add_along(const std::vector<AlongRay>& met) {
+        if (met.empty()) {
+            return;
+        }
+        const TreeRay<double>& ray = *state_.selected();
+        out_.lines.add(ray.origin, along(ray.origin, met.back().t, ray.direction),
+                       Paint{palette_.accent, 230});
+        for (const AlongRay& at : met) {
+            add_ball_at(ray, at.t, palette_.accent, at.taken ? 6 : 4);
+        }
     }
 
     /// Ways that go on beyond what is seen are cut.
@@ -247,6 +279,9 @@ std::vector<ExplainedMark> explained_marks(const State& state, const Extent& ext
                 marks.push_back({along(ray.origin, t, ray.direction), std::to_string(counts[k])});
             }
         }
+    }
+    for (const AlongRay& met : met_along(state, extent)) {
+        marks.push_back({along(ray.origin, met.t, ray.direction), "t = " + number_text(met.t)});
     }
     return marks;
 }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "drawing/angles.h"
 #include "drawing/ray_mesh.h"
 
 namespace raytree::inspector {
@@ -172,7 +173,8 @@ Point3 place_of(const Light& light, const Extent& extent) {
 
 Point3 normal_tip(const TreeHit<double>& hit, const Extent& extent, const View& view) {
     const double pixels = length_per_pixel(view, hit.point);
-    const double length = std::max(normal_length * extent.diagonal, least_normal * pixels);
+    const double least = least_normal * size_at_hit(extent, view, hit.point);
+    const double length = std::max(normal_length * extent.diagonal, least * pixels);
     return hit.point + hit.normal * std::min(length, most_normal * pixels);
 }
 

@@ -146,27 +146,19 @@ Triangles filled(const Polygon& polygon) {
     return Slicer(vertices).slice();
 }
 
-std::vector<Point3> clipped(std::vector<Point3> outline, const Point3& low, const Point3& high) {
-    for (int side = 0; side < 6 && !outline.empty(); ++side) {
-        const int axis = side / 2;
-        const double limit = side % 2 ? high[axis] : low[axis];
-        const auto inside_by = [&](const Point3& p) {
-            return side % 2 ? limit - p[axis] : p[axis] - limit;
-        };
-        std::vector<Point3> kept;
-        for (std::size_t k = 0; k < outline.size(); ++k) {
-            const Point3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
-            const double da = inside_by(a), db = inside_by(b);
-            if (da >= 0) {
-                kept.push_back(a);
-            }
-            if ((da < 0) != (db < 0)) {
-                kept.push_back(a + (b - a) * (da / (da - db)));
-            }
+std::vector<Point3> clipped(const std::vector<Point3>& outline, const Point3& n, double most) {
+    std::vector<Point3> kept;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Point3 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+        const double da = most - glm::dot(n, a), db = most - glm::dot(n, b);
+        if (da >= 0) {
+            kept.push_back(a);
         }
-        outline = std::move(kept);
+        if ((da < 0) != (db < 0)) {
+            kept.push_back(a + (b - a) * (da / (da - db)));
+        }
     }
-    return outline;
+    return kept;
 }
 
 }  // namespace raytree::inspector

@@ -57,25 +57,6 @@ double distance_to_segment(double x, double y, const ScreenPoint& a, const Scree
     return std::hypot(x - a.x - s * dx, y - a.y - s * dy);
 }
 
-/// The ends of a path on the screen, what lies behind the viewer cut off.
-std::optional<std::pair<ScreenPoint, ScreenPoint>> on_screen(const RayPath& path,
-                                                             const View& view) {
-    Point3 from = path.from, to = path.to;
-    const Point3 forward = axes_of(view).forward;
-    const double least = 2e-3 * glm::length(view.target - view.eye);
-    const double a = glm::dot(from - view.eye, forward), b = glm::dot(to - view.eye, forward);
-    if (a < least && b < least) {
-        return std::nullopt;
-    }
-    if (a < least) {
-        from += (to - from) * ((least - a) / (b - a));
-    } else if (b < least) {
-        to += (from - to) * ((least - b) / (a - b));
-    }
-    const auto first = project(view, from), second = project(view, to);
-    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
-}
-
 }  // namespace
 
 std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, const RayFilter& filter,
@@ -103,6 +84,24 @@ std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, cons
         paths.back().graft = !tree.is_own(ray->id);
     }
     return paths;
+}
+
+std::optional<std::pair<ScreenPoint, ScreenPoint>> on_screen(const RayPath& path,
+                                                             const View& view) {
+    Point3 from = path.from, to = path.to;
+    const Point3 forward = axes_of(view).forward;
+    const double least = 2e-3 * glm::length(view.target - view.eye);
+    const double a = glm::dot(from - view.eye, forward), b = glm::dot(to - view.eye, forward);
+    if (a < least && b < least) {
+        return std::nullopt;
+    }
+    if (a < least) {
+        from += (to - from) * ((least - a) / (b - a));
+    } else if (b < least) {
+        to += (from - to) * ((least - b) / (a - b));
+    }
+    const auto first = project(view, from), second = project(view, to);
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
 }
 
 std::optional<std::size_t> path_at(const std::vector<RayPath>& paths, const View& view, double x,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "drawing/extent.h"
@@ -36,6 +37,9 @@ std::vector<RayPath> ray_paths(const PixelTree& tree, const Extent& extent, cons
 /// The path that is drawn nearest to a place on the screen, if one is within `reach` pixels.
 std::optional<std::size_t> path_at(const std::vector<RayPath>& paths, const View& view, double x,
                                    double y, double reach);
+
+/// The ends of a path on the screen, what lies behind the viewer cut off; none where all does.
+std::optional<std::pair<ScreenPoint, ScreenPoint>> on_screen(const RayPath& path, const View& view);
 
 /// What is to be seen when the whole tree is, or one ray. Far ends are drawn in.
 std::vector<Point3> points_of(const std::vector<RayPath>& paths, const Extent& extent);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "drawing/coat.h"
+#include "drawing/ground.h"
 #include "drawing/polygon_fill.h"
 #include "drawing/thinned_mesh.h"
 #include "geometry/affine_map.h"
@@ -23,37 +25,10 @@ std::uint8_t alpha_of(double firmness, bool flat) {
     return static_cast<std::uint8_t>(std::lround(127 * firmness) + (flat ? 128 : 0));
 }
 
-/// How an object looks: mostly its material's colour, glass and mirrors by tints of their own.
-struct Coat {
-    Ink ink;
-    double firmness;
-};
-Coat coat_of(const Material& material) {
-    const auto channel = [](double value) {
-        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
-    };
-    Ink ink;
-    ink.r = channel(material.color.r);
-    ink.g = channel(material.color.g);
-    ink.b = channel(material.color.b);
-    const double kt = largest_component(material.kt), kr = largest_component(material.kr);
-    const double kd = largest_component(material.kd);
-    if (kt > 0) {
-        return {mixed(ink, Ink(0x7FB3CF), 0.6), 0.18};
-    }
-    if (kr > kd) {
-        return {mixed(ink, Ink(0x9AA9B8), 0.7), 0.33};
-    }
-    return {mixed(ink, Ink(0xB8C0C8), 0.35), 0.43};
-}
-
 class Builder {
   public:
     Builder(const Document& document, const Extent& extent, double pixel)
-        : scene_(document.scene()),
-          extent_(extent),
-          pixel_(pixel),
-          room_(extent.seen.grown(extent.diagonal)) {
+        : scene_(document.scene()), extent_(extent), pixel_(pixel), ground_(extent) {
         choose_resolution();
     }
 
@@ -225,76 +200,52 @@ class Builder {
     }
 
     void add_shape(const Polygon& polygon, int) {
-        const Point3 normal = newell_normal<double>(polygon.vertices);
+        const Point3 normal = normal_to_world(newell_normal<double>(polygon.vertices));
         for (const auto& triangle : filled(polygon)) {
-            add_facet({triangle.begin(), triangle.end()}, normal);
+            add_facet(triangle, normal);
         }
         const std::size_t n = polygon.vertices.size();
         for (std::size_t k = 0; k < n; ++k) {
             const Point3 a = to_world(polygon.vertices[k]);
             const Point3 b = to_world(polygon.vertices[(k + 1) % n]);
-            if (room_.contains(a) && room_.contains(b)) {
-                mesh_.edges.add(a, b, line_);
-                mesh_.wires.add(a, b, line_);
-            }
+            add_edge(a, b);
         }
     }
 
     /// What goes on far beyond the view fades out around it.
-    void add_facet(std::vector<Point3> outline, const Point3& normal) {
-        for (Point3& p : outline) {
-            p = to_world(p);
-        }
-        const Point3 n = normal_to_world(normal);
-        if (std::ranges::all_of(outline, [&](const Point3& p) { return fade_at(p) == 1; })) {
-            add_triangle(outline[0], outline[1], outline[2], n);
+    void add_facet(const std::array<Point3, 3>& local, const Point3& normal) {
+        const Ground::Triangle corners{to_world(local[0]), to_world(local[1]), to_world(local[2])};
+        if (ground_.is_firm(corners)) {
+            add_triangle(corners, normal);
             return;
         }
-        outline = clipped(std::move(outline), room_.low, room_.high);
-        for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
-            add_fading(outline[0], outline[k], outline[k + 1], n);
+        for (const Ground::Triangle& facet : ground_.facets(corners, normal)) {
+            add_triangle(facet, normal);
+        }
+        for (const auto& [from, to] : ground_.grid(corners, normal)) {
+            mesh_.wires.add(from, fading_line(from), to, fading_line(to));
         }
     }
 
-    void add_triangle(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
-        const auto add = [&](const Point3& p) {
-            return mesh_.faces.add_point(p, n,
-                                         {paint_.ink, alpha_of(firmness_ * fade_at(p), true)});
-        };
-        const std::int32_t first = add(a);
-        add(b);
-        mesh_.faces.add_triangle(first, first + 1, add(c));
-    }
-
-    void add_wire(const Point3& a, const Point3& b) {
-        const auto paint = [&](const Point3& p) {
-            return Paint{line_.ink, static_cast<std::uint8_t>(line_.alpha * fade_at(p))};
-        };
-        mesh_.wires.add(a, paint(a), b, paint(b));
-    }
-
-    /// Halves the longest side until the facets are small enough to follow the fading.
-    void add_fading(const Point3& a, const Point3& b, const Point3& c, const Point3& n) {
-        const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
-        if (std::max({ab, bc, ca}) <= 0.09 * extent_.diagonal) {
-            if (fade_at(a) + fade_at(b) + fade_at(c) > 0) {
-                add_triangle(a, b, c, n);
-                add_wire(a, b);
-                add_wire(b, c);
+    void add_edge(const Point3& a, const Point3& b) {
+        for (const auto& [from, to] : ground_.pieces(a, b)) {
+            for (Lines* const lines : {&mesh_.edges, &mesh_.wires}) {
+                lines->add(from, fading_line(from), to, fading_line(to));
             }
-        } else if (ab >= bc && ab >= ca) {
-            add_fading(a, (a + b) * 0.5, c, n);
-            add_fading((a + b) * 0.5, b, c, n);
-        } else {
-            add_fading(b, c, a, n);
         }
     }
 
-    /// 1 in the middle of the scene, 0 far from it.
-    double fade_at(const Point3& p) const {
-        const double distance = glm::length(p - extent_.seen.centre()) / extent_.diagonal;
-        const double s = std::clamp((0.9 - distance) / 0.5, 0.0, 1.0);
-        return s * s * (3 - 2 * s);
+    Paint fading_line(const Point3& p) const {
+        return {line_.ink, static_cast<std::uint8_t>(line_.alpha * ground_.firmness(p))};
+    }
+
+    void add_triangle(const Ground::Triangle& corners, const Point3& normal) {
+        std::array<std::int32_t, 3> places;
+        std::ranges::transform(corners, places.begin(), [&](const Point3& p) {
+            const std::uint8_t alpha = alpha_of(firmness_ * ground_.firmness(p), true);
+            return mesh_.faces.add_point(p, normal, {paint_.ink, alpha});
+        });
+        mesh_.faces.add_triangle(places[0], places[1], places[2]);
     }
 
     void add_shape(const raytree::Mesh& mesh, int) {
@@ -331,7 +282,7 @@ class Builder {
     const Scene& scene_;
     const Extent& extent_;
     double pixel_;
-    Span3 room_;
+    Ground ground_;
     double finer_ = 1;
     double mesh_share_ = 1;
     SceneMesh mesh_;

@@ -47,10 +47,11 @@ double mesh_pixel(const Extent& extent, const View& view);
 std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& extent,
                                        const Point3& eye);
 
-/// The triangles of these objects, in this order.
-std::vector<std::int32_t> triangles_of(const SceneMesh& mesh, std::span<const std::size_t> objects);
+/// The triangles of these objects, in this order; of each, those that face the eye last.
+std::vector<std::int32_t> triangles_of(const SceneMesh& mesh, std::span<const std::size_t> objects,
+                                       const Point3& eye);
 
-/// These objects alone, in this order.
-Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects);
+/// These objects alone, in the same order.
+Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects, const Point3& eye);
 
 }  // namespace raytree::inspector

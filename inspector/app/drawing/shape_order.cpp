@@ -13,6 +13,21 @@ bool is_behind_the_rest(const ObjectFaces& object, const Point3& middle, const P
            0;
 }
 
+/// Those that are turned away from the eye first: seen through a round shape's front is its back.
+void add_triangles(const SceneMesh& mesh, const ObjectFaces& object, const Point3& eye,
+                   std::vector<std::int32_t>& out) {
+    const auto& [points, normals, colours, triangles] = mesh.faces;
+    std::vector<std::int32_t> towards;
+    for (std::size_t k = 3 * object.first; k < 3 * (object.first + object.count); k += 3) {
+        const auto at = 3 * static_cast<std::size_t>(triangles[k]);
+        const Point3 to(eye.x - points[at], eye.y - points[at + 1], eye.z - points[at + 2]);
+        const Point3 normal(normals[at], normals[at + 1], normals[at + 2]);
+        auto& list = glm::dot(to, normal) < 0 ? out : towards;
+        list.insert(list.end(), {triangles[k], triangles[k + 1], triangles[k + 2]});
+    }
+    out.insert(out.end(), towards.begin(), towards.end());
+}
+
 }  // namespace
 
 std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& extent,
@@ -39,21 +54,17 @@ std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& exte
     return order;
 }
 
-std::vector<std::int32_t> triangles_of(const SceneMesh& mesh,
-                                       std::span<const std::size_t> objects) {
+std::vector<std::int32_t> triangles_of(const SceneMesh& mesh, std::span<const std::size_t> objects,
+                                       const Point3& eye) {
     std::vector<std::int32_t> triangles;
     triangles.reserve(mesh.faces.triangles.size());
     for (const std::size_t k : objects) {
-        const ObjectFaces& object = mesh.objects[k];
-        const auto from =
-            mesh.faces.triangles.begin() + static_cast<std::ptrdiff_t>(3 * object.first);
-        triangles.insert(triangles.end(), from,
-                         from + static_cast<std::ptrdiff_t>(3 * object.count));
+        add_triangles(mesh, mesh.objects[k], eye, triangles);
     }
     return triangles;
 }
 
-Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects) {
+Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects, const Point3& eye) {
     Mesh part;
     const auto copy = [](const auto& from, auto& to, std::size_t first, std::size_t count) {
         const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
@@ -67,7 +78,7 @@ Mesh part_of(const SceneMesh& mesh, std::span<const std::size_t> objects) {
         copy(mesh.faces.normals, part.normals, 3 * object.first_point, 3 * object.points);
         copy(mesh.faces.colours, part.colours, 4 * object.first_point, 4 * object.points);
         const std::size_t first = part.triangles.size();
-        copy(mesh.faces.triangles, part.triangles, 3 * object.first, 3 * object.count);
+        add_triangles(mesh, object, eye, part.triangles);
         for (std::size_t at = first; at < part.triangles.size(); ++at) {
             part.triangles[at] += moved;
         }

@@ -5,14 +5,17 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
 
 namespace raytree::inspector {
 namespace {
 
 constexpr double fov = 30;     // of all views but the camera's
-constexpr int legend = 34;     // pixels along the lower edge
 constexpr double near = 0.95;  // of the diagonal: what is farther off may lie outside the view
+
+/// The legend's strip, unless it would leave too little of the view.
+int strip_of(const View& view) { return std::min(view.foot, view.height / 4); }
 
 /// Shapes at which rays end, where they are not larger than what is seen.
 void add_shapes_met(std::vector<Point3>& points, const Document& document, const Extent& extent,
@@ -75,8 +78,11 @@ View camera_view(const Document& document, const Extent& extent, const View& now
     }
     const double shape = static_cast<double>(view.width) / std::max(1, view.height);
     constexpr double margin = 1.06;
+    // The picture stays in the middle, as the camera sees it: the strip is left free at the top
+    // too.
+    const double free = 1 - 2.0 * strip_of(view) / std::max(1, view.height);
     view.fov_degrees =
-        2 * std::atan(margin * std::max(high, wide / shape)) * 180 / std::numbers::pi;
+        2 * std::atan(margin * std::max(high / free, wide / shape)) * 180 / std::numbers::pi;
     return view;
 }
 
@@ -91,8 +97,18 @@ View side_view(const Document& document, const Extent& extent, const std::vector
     return fitted_above_legend(view, side_points(document, extent, paths));
 }
 
-View hit_view(const TreeRay<double>& ray, const Extent& extent, const View& now) {
-    constexpr double half_height = 0.22;  // of the diagonal
+View hit_view(const Document& document, const TreeRay<double>& ray, const Extent& extent,
+              const View& now) {
+    constexpr double least = 0.03, most = 0.22;  // of the diagonal
+    double size = most * extent.diagonal;
+    if (const auto thing = object_named(document.scene(), ray.hit->object)) {
+        Span3 box{ray.hit->point, ray.hit->point};
+        for (const Point3& corner : corners_of(document, extent, *thing)) {
+            box.add(corner);
+        }
+        size = 0.65 * box.diagonal();
+    }
+    const double half_height = std::clamp(size, least * extent.diagonal, most * extent.diagonal);
     const Point3 d = ray.direction;
     const Point3 normal = glm::dot(ray.hit->normal, d) > 0 ? -ray.hit->normal : ray.hit->normal;
     const Point3 sideways = d - glm::dot(d, normal) * normal;
@@ -102,14 +118,13 @@ View hit_view(const TreeRay<double>& ray, const Extent& extent, const View& now)
     view.fov_degrees = fov;
     view.up = normal;
     view.target = ray.hit->point;
-    view.eye = view.target -
-               forward * (half_height * extent.diagonal / std::tan(fov * std::numbers::pi / 360));
+    view.eye = view.target - forward * (half_height / std::tan(fov * std::numbers::pi / 360));
     return view;
 }
 
 /// Fitted into a view that is lower by the legend, which is then put back at its lower edge.
 View fitted_above_legend(const View& now, std::span<const Point3> points, double margin) {
-    const int strip = std::min(legend, now.height / 6);
+    const int strip = strip_of(now);
     View view = now;
     view.height -= strip;
     view.fov_degrees = fov * view.height / now.height;

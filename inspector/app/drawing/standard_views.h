@@ -17,8 +17,10 @@ View side_view(const Document& document, const Extent& extent, const std::vector
                const View& now);
 
 /// Straight onto the plane of incidence at a hit, its surface level and its normal upright: the ray
-/// comes from the left, as the lecture draws it.
-View hit_view(const TreeRay<double>& ray, const Extent& extent, const View& now);
+/// comes from the left, as the lecture draws it. The shape that is hit fills about half of the
+/// screen, unless it is large or very small beside the scene.
+View hit_view(const Document& document, const TreeRay<double>& ray, const Extent& extent,
+              const View& now);
 
 /// In the direction of `now`, such that the points fill the screen above the legend.
 View fitted_above_legend(const View& now, std::span<const Point3> points, double margin = 0.08);

@@ -19,6 +19,7 @@ struct View {
     double fov_degrees = 30;  ///< vertical, the full angle
     int width = 1;            ///< in pixels
     int height = 1;
+    int foot = 34;  ///< pixels along the lower edge that the legend covers: nothing is fitted there
 };
 
 /// Unit vectors to the right of the picture, upwards, and away from the viewer.

@@ -11,10 +11,15 @@ constexpr double off = 12;  // from a mark
 /// Beside the mark, the best first.
 std::vector<WordBox> beside(const WordWish& wish) {
     const double w = wish.width, h = wish.height;
+    constexpr double aslant = 0.7 * off;
     return {{wish.x + off, wish.y - h / 2, w, h},
             {wish.x - off - w, wish.y - h / 2, w, h},
             {wish.x - w / 2, wish.y - off - h, w, h},
-            {wish.x - w / 2, wish.y + off, w, h}};
+            {wish.x - w / 2, wish.y + off, w, h},
+            {wish.x + aslant, wish.y - aslant - h, w, h},
+            {wish.x + aslant, wish.y + aslant, w, h},
+            {wish.x - aslant - w, wish.y - aslant - h, w, h},
+            {wish.x - aslant - w, wish.y + aslant, w, h}};
 }
 
 /// Along the way outwards, and a little to its sides.
@@ -44,15 +49,40 @@ std::vector<WordBox> outwards(const WordWish& wish) {
 
 }  // namespace
 
+bool WordLine::crosses(const WordBox& box) const {
+    double first = 0, last = 1;
+    const auto keep = [&](double from, double way, double low, double high) {
+        if (way == 0) {
+            last = from < low || from > high ? -1 : last;
+            return;
+        }
+        const double a = (low - from) / way, b = (high - from) / way;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    };
+    keep(x0, x1 - x0, box.x, box.x + box.width);
+    keep(y0, y1 - y0, box.y, box.y + box.height);
+    return first <= last;
+}
+
 std::optional<WordBox> place_words(const WordWish& wish, const WordBox& room,
-                                   const std::vector<WordBox>& taken) {
+                                   const std::vector<WordBox>& taken,
+                                   const std::vector<WordLine>& lines) {
+    constexpr double each_further = 0.15;  // as bad as covering so much of a line
+    std::optional<WordBox> best;
+    double least = 1e300, further = 0;
     for (const WordBox& place : wish.out ? outwards(wish) : beside(wish)) {
-        if (room.holds(place) &&
+        const auto crossed =
+            std::ranges::count_if(lines, [&](const WordLine& line) { return line.crosses(place); });
+        const double badness = static_cast<double>(crossed) + further;
+        further += each_further;
+        if (badness < least && room.holds(place) &&
             std::ranges::none_of(taken, [&](const WordBox& other) { return other.meets(place); })) {
-            return place;
+            best = place;
+            least = badness;
         }
     }
-    return std::nullopt;
+    return best;
 }
 
 }  // namespace raytree::inspector

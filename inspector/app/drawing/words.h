@@ -20,6 +20,13 @@ struct WordBox {
     }
 };
 
+/// Something thin that words had better not cover.
+struct WordLine {
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    /// Whether it comes into the box (Liang & Barsky 1984).
+    bool crosses(const WordBox& box) const;
+};
+
 /// Where words of a size want to stand: beside a mark, or at a place and on towards another.
 struct WordWish {
     double x = 0, y = 0;
@@ -28,8 +35,10 @@ struct WordWish {
     double far = 150;  ///< how far outwards they may go, pixels
 };
 
-/// The best place within the room that is free; none where there is none.
+/// The best place within the room that is free: one that covers few lines, and is near. None where
+/// none is free.
 std::optional<WordBox> place_words(const WordWish& wish, const WordBox& room,
-                                   const std::vector<WordBox>& taken);
+                                   const std::vector<WordBox>& taken,
+                                   const std::vector<WordLine>& lines = {});
 
 }  // namespace raytree::inspector

@@ -16,6 +16,13 @@ template <TreePane::Tab tab> bool tab_is_shown_of_tree(const State& state) {
     return state.tree() && state.tree_pane().tab == tab;
 }
 
+void make_tall(State& state, std::string_view) {
+    TreePane pane = state.tree_pane();
+    pane.tall = !pane.tall;
+    state.change_tree_pane(pane);
+}
+bool is_tall(const State& state) { return state.tree_pane().tall; }
+
 using Fold = std::optional<double> (*)(const PixelTree&, double);
 template <Fold fold> void change_fold(State& state, std::string_view) {
     TreePane pane = state.tree_pane();
@@ -39,6 +46,17 @@ constexpr Command table[] = {
     {"tab.explained", "Tree", "Explained", "Alt+5",
      "Shows what the features of the menu Explain say in words and numbers.", none,
      show_tab<TreePane::Tab::explained>, nullptr, tab_is_shown<TreePane::Tab::explained>},
+    {"tab.tall",
+     "Tree",
+     "More room for the tree",
+     "Alt+0",
+     "Gives most of the window's height to the tree, or takes it back.",
+     none,
+     make_tall,
+     nullptr,
+     is_tall,
+     {},
+     true},
     {"diagram.fit",
      "Tree",
      "Whole diagram",

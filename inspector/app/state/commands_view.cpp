@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
 #include "state/command_groups.h"
 
 namespace raytree::inspector {
@@ -34,6 +39,35 @@ template <Neighbours which> void show_neighbours(State& state, std::string_view)
     state.change_look([&](Look& look) { look.neighbours = shown ? Neighbours::none : which; });
 }
 
+/// Six numbers, divided by blanks or commas.
+void look_from(State& state, std::string_view words) {
+    std::array<double, 6> numbers{};
+    const char *at = words.data(), *const end = at + words.size();
+    const auto skip = [&] {
+        at = std::find_if(at, end, [](char c) { return c != ' ' && c != ','; });
+    };
+    for (double& number : numbers) {
+        skip();
+        const auto read = std::from_chars(at, end, number);
+        if (read.ec != std::errc() || !std::isfinite(number)) {
+            at = nullptr;
+            break;
+        }
+        at = read.ptr;
+    }
+    if (at) {
+        skip();
+    }
+    const auto& [x, y, z, u, v, w] = numbers;
+    if (at != end || (x == u && y == v && z == w)) {
+        throw InputError("", "view.from",
+                         "found '" + std::string(words) +
+                             "', must be six numbers: the place to look from, and another one to "
+                             "look at");
+    }
+    state.look_from({{x, y, z}, {u, v, w}, state.document()->scene().camera.up});
+}
+
 bool has_hit(const State& state) { return state.tree() && state.selected()->hit; }
 
 void switch_theme(State& state, std::string_view) {
@@ -53,6 +87,9 @@ constexpr Command table[] = {
      "Looks straight onto the plane of incidence at the selected ray's hit: angles are as they "
      "are.",
      none, ask<Request::onto_hit>, has_hit},
+    {"view.from", "", "Look from a place", "",
+     "Looks from X,Y,Z at X,Y,Z, with the camera's upward direction.", Argument::words, look_from,
+     has_scene},
     {"view.fit_tree", "View", "Fit the tree", "F", "Moves so that the whole tree fills the view.",
      none, ask<Request::fit_tree>, has_tree, nullptr, "Fit tree"},
     {"view.fit_selection", "View", "Fit the selection", "R",

@@ -1,6 +1,7 @@
 #include "state/details.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "state/numbers.h"
@@ -25,6 +26,19 @@ std::vector<double> values_of(const Rgb<double>& c) { return {c.r, c.g, c.b}; }
 
 template <class Triple> Row triple_row(std::string label, const Triple& triple) {
     return {std::move(label), aligned(triple), Weight::normal, false, {}, values_of(triple)};
+}
+
+/// What a sum does not notice is shown as 0: below the rounding of the sum's own value, in the same
+/// channel. Copied, it has all of its digits.
+Row summand_row(std::string label, const Rgb<double>& part, const Rgb<double>& sum) {
+    const auto shown = [](double one, double all) {
+        constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
+        return std::abs(one) > rounding * std::abs(all) ? one : 0;
+    };
+    Row row = triple_row(std::move(label), Rgb<double>(shown(part.r, sum.r), shown(part.g, sum.g),
+                                                       shown(part.b, sum.b)));
+    row.values = values_of(part);
+    return row;
 }
 
 Row heading_row(std::vector<std::string> cells) {
@@ -92,7 +106,7 @@ void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay
     const std::string k = reflected ? "kr" : "kt", i = reflected ? "Ir" : "It";
     const Rgb<double>& coefficient = reflected ? ray.hit->kr : ray.hit->kt;
     const Rgb<double> share = child.attenuation * (coefficient * child.intensity);
-    rows.push_back(triple_row("+ " + k + "·f·" + i, share));
+    rows.push_back(summand_row("+ " + k + "·f·" + i, share, ray.intensity));
     const auto faint = [&](const std::string& label, const Rgb<double>& triple) {
         rows.push_back(triple_row("   " + label, triple));
         rows.back().weight = Weight::faint;
@@ -109,9 +123,9 @@ DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {
     auto& rows = section.rows;
     rows.push_back(heading_row({"red", "green", "blue"}));
     if (ray.hit) {
-        rows.push_back(triple_row("ambient", ray.ambient));
-        rows.push_back(triple_row("+ diffuse", ray.diffuse));
-        rows.push_back(triple_row("+ specular", ray.specular));
+        rows.push_back(summand_row("ambient", ray.ambient, ray.intensity));
+        rows.push_back(summand_row("+ diffuse", ray.diffuse, ray.intensity));
+        rows.push_back(summand_row("+ specular", ray.specular, ray.intensity));
         for (const std::size_t child : tree.children[ray.id]) {
             if (tree.tree.rays[child].kind != RayKind::shadow) {
                 add_branch(tree, ray, tree.tree.rays[child], rows);
@@ -189,13 +203,14 @@ DetailSection light_of(const TreeRay<double>& ray) {
     return section;
 }
 
-DetailSection lighting_of(const TreeRay<double>& ray) {
+DetailSection lighting_of(const PixelTree& tree, const TreeRay<double>& ray) {
+    const Rgb<double> all = ray.parent ? tree.tree.rays[*ray.parent].intensity : ray.intensity;
     DetailSection section{"What it adds", {}, {}};
     section.rows.push_back(heading_row({"red", "green", "blue"}));
     section.rows.push_back(triple_row("transmittance", ray.shadow->transmittance));
-    section.rows.push_back(triple_row("diffuse", ray.diffuse));
-    section.rows.push_back(triple_row("+ specular", ray.specular));
-    Row sum = triple_row("= added", ray.diffuse + ray.specular);
+    section.rows.push_back(summand_row("diffuse", ray.diffuse, all));
+    section.rows.push_back(summand_row("+ specular", ray.specular, all));
+    Row sum = summand_row("= added", ray.diffuse + ray.specular, all);
     sum.weight = Weight::strong;
     sum.swatch = ray.diffuse + ray.specular;
     section.rows.push_back(std::move(sum));
@@ -207,7 +222,7 @@ DetailSection lighting_of(const TreeRay<double>& ray) {
 std::vector<DetailSection> details_of(const PixelTree& tree, std::size_t id) {
     const TreeRay<double>& ray = tree.tree.rays[id];
     if (ray.shadow) {
-        return {light_of(ray), lighting_of(ray), way_of(tree, ray)};
+        return {light_of(ray), lighting_of(tree, ray), way_of(tree, ray)};
     }
     std::vector<DetailSection> sections = {intensity_of(tree, ray)};
     DetailSection endings = endings_of(tree, ray);

@@ -17,6 +17,8 @@ Ink mixed(Ink a, Ink b, double share) {
     return result;
 }
 
+Ink letters_in(Ink line, const Palette& palette) { return mixed(line, palette.text, 0.4); }
+
 RayLook look_of(const TreeRay<double>& ray) {
     switch (ray.kind) {
         case RayKind::primary:
@@ -45,8 +47,8 @@ const LookText& text_of(RayLook look) {
 const Palette& palette_of(Theme theme) {
     static constexpr Palette light = {
         Ink(0xEEF1F5), Ink(0xFFFFFF),
-        Ink(0x1F2933), Ink(0x5B6875),
-        Ink(0xD3DAE2), Ink(0x2F6FB3),
+        Ink(0x1F2933), Ink(0x53606D),
+        Ink(0xD3DAE2), Ink(0x2A68AA),
         Ink(0xFDFDFE), Ink(0xDFE5EC),
         Ink(0x64717E), Ink(0x2B3440),
         Ink(0xE8B100), Ink(0xD6336C),
@@ -54,7 +56,7 @@ const Palette& palette_of(Theme theme) {
     static constexpr Palette dark = {
         Ink(0x1B2129), Ink(0x12171D),
         Ink(0xE3E8EE), Ink(0x98A4B1),
-        Ink(0x323C48), Ink(0x3F83CC),
+        Ink(0x323C48), Ink(0x5B9BE0),
         Ink(0x242C36), Ink(0x0F1318),
         Ink(0xA9B6C4), Ink(0xDCE4EC),
         Ink(0xFFD54A), Ink(0xFF5C98),

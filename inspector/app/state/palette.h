@@ -49,4 +49,7 @@ struct Palette {
 };
 const Palette& palette_of(Theme theme);
 
+/// The colour of a line, strong enough for words.
+Ink letters_in(Ink line, const Palette& palette);
+
 }  // namespace raytree::inspector

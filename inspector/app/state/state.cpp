@@ -227,6 +227,8 @@ void State::change_table(const Table& table) {
     tell({.table = true});
 }
 
+void State::look_from(const lesson::FreeView& view) { tell({.view_from = view}); }
+
 void State::change_tree_pane(const TreePane& tree_pane) {
     tree_pane_ = tree_pane;
     tell({.tree_pane = true});

@@ -46,7 +46,8 @@ struct TreePane {
     /// The share of the pixel below which the diagram folds branches; none: as small a one as
     /// leaves a diagram that can be read at a glance.
     std::optional<double> fold_below = std::nullopt;
-    double room = 0;  ///< how wide that is, in the diagram's units; 0 where nobody knows
+    double room = 0;    ///< how wide that is, in the diagram's units; 0 where nobody knows
+    bool tall = false;  ///< whether the pane has most of the window's height
 };
 
 /// What stands in the place for lessons.
@@ -148,6 +149,8 @@ class State {
     void change_tree_pane(const TreePane& tree_pane);
     void change_table(const Table& table);
     void request(Request request, std::string text = {});
+    /// Has the 3D view look from a place.
+    void look_from(const lesson::FreeView& view);
     /// Whether a tree or an explanation is still to come: then `poll` is to be called now and then.
     bool working() const { return tracing_ || explaining(); }
     bool explaining() const { return explainer_->working(); }

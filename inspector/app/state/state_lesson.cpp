@@ -147,7 +147,7 @@ void State::take_view(const lesson::View& view) {
     if (const auto* named = std::get_if<NamedView>(&view)) {
         request(request_of(*named));
     } else {
-        tell({.view_from = std::get<lesson::FreeView>(view)});
+        look_from(std::get<lesson::FreeView>(view));
     }
 }
 

@@ -3,7 +3,6 @@
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -11,106 +10,19 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <array>
-#include <string>
 
+#include "view3d/part.h"
+#include "view3d/shape_shader.h"
 #include "view3d/standing_renderer.h"
 
 namespace raytree::inspector {
 namespace {
-
-template <class Array, class Value>
-vtkNew<Array> array_of(const std::vector<Value>& values, int components) {
-    vtkNew<Array> array;
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    return array;
-}
-
-vtkNew<vtkCellArray> cells_of(const std::vector<std::int32_t>& corners, int of_each) {
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(of_each, array_of<vtkTypeInt32Array>(corners, 1));
-    return cells;
-}
-
-void set_points(vtkPolyData* data, const std::vector<float>& points,
-                const std::vector<std::uint8_t>& colours) {
-    vtkNew<vtkPoints> list;
-    list->SetData(array_of<vtkFloatArray>(points, 3));
-    data->SetPoints(list);
-    data->GetPointData()->SetScalars(array_of<vtkUnsignedCharArray>(colours, 4));
-}
-
-/// One drawn thing: its data, and how it is drawn.
-struct Part {
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
-
-    Part() {
-        mapper->SetInputData(data);
-        actor->SetMapper(mapper);
-        actor->PickableOff();
-        actor->VisibilityOff();  // until it has something to show
-    }
-
-    void set(const Mesh& mesh) {
-        set_points(data, mesh.points, mesh.colours);
-        data->GetPointData()->SetNormals(array_of<vtkFloatArray>(mesh.normals, 3));
-        data->SetPolys(cells_of(mesh.triangles, 3));
-        actor->SetVisibility(!mesh.triangles.empty());
-    }
-    void set(const Lines& lines) {
-        set_points(data, lines.points, lines.colours);
-        data->SetLines(cells_of(lines.segments, 2));
-        actor->SetVisibility(!lines.segments.empty());
-    }
-    void lit(double ambient, double diffuse) {
-        actor->GetProperty()->SetAmbient(ambient);
-        actor->GetProperty()->SetDiffuse(diffuse);
-        actor->GetProperty()->SetSpecular(0);
-    }
-    void unlit() { actor->GetProperty()->LightingOff(); }
-    void see_through(bool yes) {
-        actor->SetForceTranslucent(yes);
-        actor->SetForceOpaque(!yes);
-    }
-};
-
-/// What SceneMesh says of the alpha of its colours. Where a round surface turns away from the
-/// viewer it is firmer, and its colour turns into that of lines.
-std::string see_through_code(Ink line) {
-    const auto number = [](std::uint8_t value) { return std::to_string(value / 255.0); };
-    return "//VTK::Light::Impl\n"
-           "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
-           "  float firm = vertexColorVSOutput.a * 255.0 / 127.0 - (flat_shape ? 128.0/127.0 : "
-           "0.0);\n"
-           "  float turned = flat_shape ? 0.0 : 1.0 - abs(normalVCVSOutput.z);\n"
-           "  float rim = turned * turned;\n"
-           "  gl_FragData[0].a = clamp(firm * opacityUniform * (1.0 + 0.8 * rim) + 0.5 * rim * "
-           "rim,\n"
-           "                           0.0, 1.0);\n"
-           "  gl_FragData[0].rgb = mix(gl_FragData[0].rgb, vec3(" +
-           number(line.r) + "," + number(line.g) + "," + number(line.b) + "), 0.75 * rim * rim);\n";
-}
-
-/// Only what goes on far beyond the view fades out.
-constexpr const char* solid_code =
-    "//VTK::Light::Impl\n"
-    "  bool flat_shape = vertexColorVSOutput.a > 0.5;\n"
-    "  gl_FragData[0].a = flat_shape ? clamp(16.0 * (vertexColorVSOutput.a - 128.0/255.0), 0.0, "
-    "1.0)\n"
-    "                                : 1.0;\n";
 
 void set_background(vtkRenderer* renderer, const Palette& palette) {
     const auto& low = palette.space_bottom;
@@ -203,8 +115,9 @@ struct Scene3d::Parts {
         vtkShaderProperty* const shader = shapes.actor->GetShaderProperty();
         shader->ClearAllFragmentShaderReplacements();
         shader->AddFragmentShaderReplacement(
-            "//VTK::Light::Impl", true,
-            style == ShapeStyle::solid ? solid_code : see_through_code(palette.shape_line), false);
+            shape_shader_place, true,
+            style == ShapeStyle::solid ? solid_code() : see_through_code(palette.shape_line),
+            false);
     }
 };
 
@@ -235,7 +148,7 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     }
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
     p.halo.actor->GetProperty()->FrontfaceCullingOn();
-    p.texture->InterpolateOn();
+    p.texture->MipmapOn();
     p.picture.actor->SetTexture(p.texture);
     p.picture.actor->GetProperty()->SetOpacity(0.85);  // rays behind it do not get lost
 }
@@ -310,7 +223,8 @@ void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t
     parts_->renderer->forget();
 }
 
-void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool shown) {
+void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squares, bool shown) {
+    parts_->texture->SetInterpolate(!squares);
     vtkNew<vtkPoints> points;
     for (const Point3& corner : corners) {
         points->InsertNextPoint(corner.x, corner.y, corner.z);

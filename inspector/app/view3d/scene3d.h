@@ -36,7 +36,8 @@ class Scene3d {
     void set_angles(const AngleDrawing& angles);
     /// The picture, 0xFFRRGGBB row by row from the top left, on a quadrangle from its top left on.
     void set_picture(int width, int height, const std::vector<std::uint32_t>& colours);
-    void set_picture_place(const std::array<Point3, 4>& corners, bool shown);
+    /// Its pixels are `squares` where they are large enough to be seen, else smoothed.
+    void set_picture_place(const std::array<Point3, 4>& corners, bool squares, bool shown);
     void set_view(const View& view);
     /// Shapes, picture and view stay the same for a while: the next frame is drawn in a way that
     /// makes those after it quick.

@@ -25,6 +25,17 @@ QString escaped(const std::string& text) {
     return qt(text).toHtmlEscaped().replace(QLatin1Char(' '), QStringLiteral("&nbsp;"));
 }
 
+/// Formulas stay on one line.
+QString unbroken(const std::string& sentence) {
+    QString text = qt(sentence).toHtmlEscaped();
+    for (const char* const sign : {"·", "≤", "=", "→"}) {
+        const QString in = QString::fromUtf8(sign);
+        text.replace(QLatin1Char(' ') + in + QLatin1Char(' '),
+                     QStringLiteral("&nbsp;") + in + QStringLiteral("&nbsp;"));
+    }
+    return text;
+}
+
 /// Long names may go on below.
 QString breakable(QString name) {
     return name.replace(QLatin1Char('_'), QStringLiteral("_&#8203;"));
@@ -57,7 +68,7 @@ class Writer {
     void section(const DetailSection& section, bool marked = false) {
         const QString mark = marked
                                  ? QStringLiteral("; background-color:%1")
-                                       .arg(qt(mixed(palette_.panel, palette_.accent, 0.22)).name())
+                                       .arg(qt(mixed(palette_.panel, palette_.accent, 0.1)).name())
                                  : QString();
         html_ += QStringLiteral("<p style='margin:9px 0 2px 0; color:%1%2'><b>%3%4</b></p>")
                      .arg(qt(palette_.accent).name(), mark,
@@ -71,8 +82,7 @@ class Writer {
             html_ += QStringLiteral("</table>");
         }
         for (const std::string& sentence : section.sentences) {
-            html_ += QStringLiteral("<p style='margin:1px 0 3px 0'>%1</p>")
-                         .arg(qt(sentence).toHtmlEscaped());
+            html_ += QStringLiteral("<p style='margin:1px 0 3px 0'>%1</p>").arg(unbroken(sentence));
         }
     }
 
@@ -109,7 +119,7 @@ class Writer {
         html_ += row.is_text
                      ? QStringLiteral("<td colspan='3' align='left'>%1</td>").arg(text)
                      : QStringLiteral(
-                           "<td width='23%' align='right' style='color:%1; "
+                           "<td align='right' style='color:%1; "
                            "font-family:%2'>%3%4%5</td>")
                            .arg(colour, mono_, strong ? "<b>" : "", text, strong ? "</b>" : "");
     }
@@ -139,6 +149,7 @@ class Writer {
 
 DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), state_(state) {
     setOpenLinks(false);
+    setWordWrapMode(QTextOption::WordWrap);  // a column is as wide as its longest word
     setAccessibleName(QStringLiteral("Details of what is selected"));
     document()->setDocumentMargin(8);
     connect(this, &QTextBrowser::anchorClicked, this, &DetailsPane::follow);

@@ -32,7 +32,7 @@ class DiagramDrawing {
 
     Stroke stroke_of(const DiagramBox& box) const;
     Ink letters_of(const DiagramBox& box) const;
-    Ink letters(Ink line) const { return mixed(line, palette_.text, 0.35); }
+    Ink letters(Ink line) const { return letters_in(line, palette_); }
     void use(const Stroke& stroke, int alpha = 255);
     void write(const QRectF& line, const QString& text, const Lettering& lettering,
                Qt::Alignment alignment = Qt::AlignLeft);

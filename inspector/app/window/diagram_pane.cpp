@@ -158,6 +158,7 @@ void DiagramPane::paintEvent(QPaintEvent*) {
         DiagramDrawing(painter, diagram_, looks_, palette, tree_->tree.settings.quantize)
             .draw(visible, spot_of(diagram_, *tree_, state_.selected()->id), emphasis_of(state_));
         painter.restore();
+        draw_bars(painter);
         draw_note(painter);
     }
     painter.setBrush(Qt::NoBrush);
@@ -181,6 +182,29 @@ void DiagramPane::draw_note(QPainter& painter) const {
     painter.fillRect(strip, qt(palette.window));
     painter.setPen(qt(palette.dim_text));
     painter.drawText(strip.adjusted(8, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
+}
+
+/// Along the edges beyond which the diagram goes on: which part of it is to be seen.
+void DiagramPane::draw_bars(QPainter& painter) const {
+    constexpr double thick = 5, off = 3;
+    const Palette& palette = palette_of(state_.look().theme);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(qt(mixed(palette.panel, palette.dim_text, 0.7)));
+    const auto draw = [&](double origin, double size, double room, auto bar) {
+        const double all = size + 2 * margin;
+        if (all > room + 1) {
+            const double length = std::max(20.0, room * room / all);
+            painter.drawRoundedRect(bar((margin - origin) / (all - room) * (room - length), length),
+                                    thick / 2, thick / 2);
+        }
+    };
+    draw(origin_.x(), scale_ * diagram_.width, width(), [&](double from, double length) {
+        return QRectF(from, room_height() - thick - off, length, thick);
+    });
+    draw(origin_.y(), scale_ * diagram_.height, room_height(), [&](double from, double length) {
+        return QRectF(width() - thick - off, from, thick, length);
+    });
 }
 
 /// The height that the diagram has, without the note.

@@ -42,6 +42,7 @@ class DiagramPane : public QWidget {
     std::optional<DiagramSpot> spot_under(QPointF place);
     QString tooltip_at(QPointF place);
     void draw_note(QPainter& painter) const;
+    void draw_bars(QPainter& painter) const;
     double room_height() const;
 
     State& state_;

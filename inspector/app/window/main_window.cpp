@@ -206,7 +206,9 @@ void MainWindow::share_room() {
         resizeDocks({lesson_dock_, side_}, {height() * 55 / 100, height() * 45 / 100},
                     Qt::Vertical);
     }
-    const int below = std::clamp(static_cast<int>(height() * 0.33), 160, 460);
+    tall_tree_ = state_.tree_pane().tall;
+    const int below = tall_tree_ ? static_cast<int>(height() * 0.6)
+                                 : std::clamp(static_cast<int>(height() * 0.36), 160, 480);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
     resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     resizeDocks({tree_dock_}, {below}, Qt::Vertical);
@@ -239,6 +241,9 @@ void MainWindow::obey(const Changes& changes) {
     }
     if (changes.tree_pane) {
         show_tab();
+        if (state_.tree_pane().tall != tall_tree_) {
+            share_room();
+        }
     }
     if (changes.lesson || changes.look) {
         show_lesson();

@@ -86,7 +86,8 @@ class MainWindow : public QMainWindow {
     QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;
     QDockWidget* lesson_dock_ = nullptr;
-    QTimer working_;  ///< runs while a tree or an explanation is to come
+    bool tall_tree_ = false;  ///< as the room is shared just now
+    QTimer working_;          ///< runs while a tree or an explanation is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };
 

@@ -9,6 +9,7 @@ namespace raytree::inspector {
 namespace {
 
 constexpr int margin = 8, bar_height = 10;
+constexpr int swatch_room = 19, share_room = 14;  // before and after a reason's word
 
 QColor colour_of(const Colour8& c) { return {c[0], c[1], c[2]}; }
 
@@ -43,9 +44,22 @@ int OverlayLegend::line() const { return fontMetrics().height() + 2; }
 QSize OverlayLegend::sizeHint() const {
     const auto& overlay = feed_.overlay();
     const bool reasons = overlay && overlay->measure == Measure::ended;
-    const int body = reasons ? line() * static_cast<int>((overlay->reasons.size() + 1) / 2)
-                             : bar_height + 6 + line();
+    const int columns = reasons ? reason_columns(*overlay) : 1;
+    const int count = reasons ? static_cast<int>(overlay->reasons.size()) : 0;
+    const int body = reasons ? line() * ((count + columns - 1) / columns) : bar_height + 6 + line();
     return {200, margin + line() + 4 + body + margin / 2};
+}
+
+void OverlayLegend::resizeEvent(QResizeEvent*) { updateGeometry(); }
+
+int OverlayLegend::reason_columns(const Overlay& overlay) const {
+    int widest = 0;
+    for (const auto& [reason, pixels] : overlay.reasons) {
+        widest = std::max(
+            widest, fontMetrics().horizontalAdvance(qt(plain_word(reason))) +
+                        fontMetrics().horizontalAdvance(percent(pixels, overlay.values.size())));
+    }
+    return 2 * (widest + swatch_room + share_room) <= width() - 2 * margin ? 2 : 1;
 }
 
 void OverlayLegend::paintEvent(QPaintEvent*) {
@@ -106,15 +120,17 @@ void OverlayLegend::draw_scale(QPainter& painter, const Overlay& overlay) const 
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, here);
 }
 
-/// Two columns, the most frequent reason first; the chosen pixel's has a frame.
+/// The most frequent reason first; the chosen pixel's has a frame.
 void OverlayLegend::draw_reasons(QPainter& painter, const Overlay& overlay) const {
     const Palette& palette = palette_of(state_.look().theme);
-    const int column = (width() - 2 * margin) / 2;
+    const int columns = reason_columns(overlay);
+    const int column = (width() - 2 * margin) / columns;
     const auto chosen = static_cast<Reason>(overlay.at(state_.pixel()));
     for (std::size_t k = 0; k < overlay.reasons.size(); ++k) {
         const auto& [reason, pixels] = overlay.reasons[k];
-        const QRect row(margin + static_cast<int>(k % 2) * column,
-                        margin + line() * (1 + static_cast<int>(k / 2)) + 4, column - 6, line());
+        const int place = static_cast<int>(k);
+        const QRect row(margin + place % columns * column,
+                        margin + line() * (1 + place / columns) + 4, column - 6, line());
         const QRect swatch(row.left() + 3, row.top() + (row.height() - 10) / 2, 10, 10);
         painter.fillRect(swatch, colour_of(reason_colour(reason)));
         if (reason == chosen) {
@@ -123,9 +139,10 @@ void OverlayLegend::draw_reasons(QPainter& painter, const Overlay& overlay) cons
             painter.drawRoundedRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         }
         const QString share = percent(pixels, overlay.values.size());
-        const int room = row.width() - 22 - fontMetrics().horizontalAdvance(share) - 8;
+        const int room =
+            row.width() - swatch_room - fontMetrics().horizontalAdvance(share) - share_room + 6;
         painter.setPen(qt(palette.text));
-        painter.drawText(row.adjusted(19, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(row.adjusted(swatch_room, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          fontMetrics().elidedText(qt(plain_word(reason)), Qt::ElideRight, room));
         painter.setPen(qt(palette.dim_text));
         painter.drawText(row.adjusted(0, 0, -5, 0), Qt::AlignRight | Qt::AlignVCenter, share);

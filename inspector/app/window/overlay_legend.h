@@ -18,10 +18,13 @@ class OverlayLegend : public QWidget {
 
   protected:
     void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
 
   private:
     void renew();
     int line() const;
+    /// As many as their words leave room for.
+    int reason_columns(const Overlay& overlay) const;
     void draw_scale(QPainter& painter, const Overlay& overlay) const;
     void draw_reasons(QPainter& painter, const Overlay& overlay) const;
 

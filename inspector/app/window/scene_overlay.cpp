@@ -4,10 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "drawing/explained_mesh.h"
-#include "drawing/picking.h"
-#include "drawing/ray_mesh.h"
-#include "drawing/words.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -15,31 +11,7 @@ namespace raytree::inspector {
 namespace {
 
 constexpr int pad = 6;
-
-struct LegendEntry {
-    std::optional<RayLook> look;  ///< none: an escaped ray's ring
-    QString text;
-};
-
-const std::array<LegendEntry, 6>& legend() {
-    static const std::array<LegendEntry, 6> entries = {{
-        {RayLook::primary, QStringLiteral("primary")},
-        {RayLook::reflected, QStringLiteral("reflected")},
-        {RayLook::refracted, QStringLiteral("refracted")},
-        {RayLook::lit, QStringLiteral("shadow, reaches light")},
-        {RayLook::blocked, QStringLiteral("shadow, blocked")},
-        {std::nullopt, QStringLiteral("meets nothing")},
-    }};
-    return entries;
-}
-
-Point3 middle_of(const std::vector<Point3>& points) {
-    Point3 sum(0);
-    for (const Point3& p : points) {
-        sum += p;
-    }
-    return points.empty() ? sum : sum / static_cast<double>(points.size());
-}
+constexpr double sign_width = 24, gap = 5;  // of the legend's entries
 
 WordBox box_of(const QRectF& r) { return {r.x(), r.y(), r.width(), r.height()}; }
 
@@ -51,7 +23,15 @@ SceneOverlay::SceneOverlay(const State& state, const View& view, QWidget* parent
     setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void SceneOverlay::set_labels(std::vector<SceneLabel> labels) { labels_ = std::move(labels); }
+void SceneOverlay::set_labels(std::vector<SceneLabel> labels, std::vector<WordLine> lines) {
+    labels_ = std::move(labels);
+    lines_ = std::move(lines);
+}
+
+void SceneOverlay::set_legend(const SceneLegend& legend) {
+    legend_ = legend;
+    update();
+}
 
 void SceneOverlay::set_notes(const QStringList& notes) {
     notes_ = notes;
@@ -67,52 +47,94 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
     }
 }
 
-/// In rows along the lower edge, as many as the width asks for.
-QRectF SceneOverlay::draw_legend(QPainter& painter) const {
-    const Palette& palette = palette_of(state_.look().theme);
-    const QFontMetricsF metrics(painter.font());
-    constexpr double sign = 24, gap = 5, between = 16;
-    const double line = metrics.height() + 4;
-    std::vector<QPointF> places;
-    double x = 0, y = 0, widest = 0;
-    for (const LegendEntry& entry : legend()) {
-        const double width = sign + gap + metrics.horizontalAdvance(entry.text);
-        if (x > 0 && x + width > this->width() - 4 * pad) {
-            x = 0;
-            y += line;
+std::vector<SceneOverlay::Entry> SceneOverlay::entries() const {
+    static const std::array<QString, look_count> names = {
+        QStringLiteral("primary"), QStringLiteral("reflected"), QStringLiteral("refracted"),
+        QStringLiteral("shadow, lit"), QStringLiteral("shadow, blocked")};
+    std::vector<Entry> all;
+    for (std::size_t k = 0; k < look_count; ++k) {
+        if (legend_.looks[k]) {
+            all.push_back({static_cast<RayLook>(k), names[k]});
         }
-        places.emplace_back(x, y);
-        widest = std::max(widest, x + width);
-        x += width + between;
     }
-    const double below = line * notes_.size();
+    if (legend_.open) {
+        all.push_back({std::nullopt, QStringLiteral("meets nothing")});
+    }
+    if (legend_.unsent) {
+        all.push_back({std::nullopt, QStringLiteral("not sent"), true});
+    }
+    return all;
+}
+
+/// In rows along the lower edge, as many as the width asks for.
+SceneOverlay::Layout SceneOverlay::layout(const QFontMetricsF& metrics, int width) const {
+    constexpr double between = 14;
+    Layout out;
+    out.line = metrics.height() + 4;
+    const double room = width - 4 * pad;
+    double x = 0, y = 0, widest = 0;
+    const std::vector<Entry> all = entries();
+    for (const Entry& entry : all) {
+        const double wide = sign_width + gap + metrics.horizontalAdvance(entry.text);
+        if (x > 0 && x + wide > room) {
+            x = 0;
+            y += out.line;
+        }
+        out.places.emplace_back(x, y);
+        widest = std::max(widest, x + wide);
+        x += wide + between;
+    }
     for (const QString& note : notes_) {
-        const double room = this->width() - 4 * pad;
         widest = std::max(widest, std::min(room, metrics.horizontalAdvance(note)));
     }
-    const QSizeF size(widest + 2 * pad, y + line + below + pad);
+    const double rows = (all.empty() ? 0 : y + out.line) + out.line * notes_.size();
+    out.size = rows > 0 ? QSizeF(widest + 2 * pad, rows + pad) : QSizeF(0, 0);
+    return out;
+}
+
+int SceneOverlay::foot(int width) const {
+    const double height = layout(QFontMetricsF(font()), width).size.height();
+    return height > 0 ? static_cast<int>(height) + 2 * pad : 0;
+}
+
+QRectF SceneOverlay::draw_legend(QPainter& painter) const {
+    const Palette& palette = palette_of(state_.look().theme);
+    const auto [places, size, line] = layout(QFontMetricsF(painter.font()), width());
+    if (size.isEmpty()) {
+        return {};
+    }
     const QRectF box(QPointF(pad, height() - pad - size.height()), size);
     painter.setPen(QPen(qt(palette.rule), 1));
     painter.setBrush(qt(palette.panel, 225));
     painter.drawRoundedRect(box, 4, 4);
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const LegendEntry& entry = legend()[k];
+    const std::vector<Entry> all = entries();
+    for (std::size_t k = 0; k < all.size(); ++k) {
         const QPointF at = box.topLeft() + places[k] + QPointF(pad, pad / 2.0);
-        const QRectF sign_box(at + QPointF(0, (line - 16) / 2), QSizeF(sign, 16));
-        if (entry.look) {
-            draw_sign(painter, sign_box, *entry.look, palette);
-        } else {
-            painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(qt(palette.text), 1.8));
-            painter.drawEllipse(sign_box.center(), 4, 4);
-        }
-        painter.setPen(qt(palette.text));
-        painter.drawText(QRectF(at + QPointF(sign + gap, 0), QSizeF(400, line)),
-                         Qt::AlignLeft | Qt::AlignVCenter, entry.text);
+        draw_entry(painter, all[k], {at, QSizeF(400, line)});
     }
+    const double below = line * notes_.size();
     draw_notes(painter, QRectF(box.left() + pad, box.bottom() - pad / 2.0 - below,
                                box.width() - 2 * pad, below));
     return box;
+}
+
+void SceneOverlay::draw_entry(QPainter& painter, const Entry& entry, const QRectF& place) const {
+    const Palette& palette = palette_of(state_.look().theme);
+    const QRectF sign(place.left(), place.center().y() - 8, sign_width, 16);
+    if (entry.look) {
+        draw_sign(painter, sign, *entry.look, palette);
+    } else if (entry.dotted) {
+        painter.setPen(QPen(qt(palette.dim_text), 2, Qt::DotLine));
+        painter.drawLine(QPointF(sign.left() + 1, sign.center().y()),
+                         QPointF(sign.right() - 3, sign.center().y()));
+    } else {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(qt(palette.text), 1.8));
+        painter.drawEllipse(sign.center(), 4, 4);
+    }
+    painter.setPen(qt(palette.text));
+    painter.drawText(place.adjusted(sign_width + gap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     entry.text);
 }
 
 void SceneOverlay::draw_notes(QPainter& painter, QRectF lines) const {
@@ -143,7 +165,7 @@ void SceneOverlay::draw_labels(QPainter& painter, QRectF legend_box) const {
             wish.out = {out->x, out->y};
             wish.far = label.strong ? 150 : 45;
         }
-        if (const auto place = place_words(wish, room, taken)) {
+        if (const auto place = place_words(wish, room, taken, lines_)) {
             const QRectF box(place->x, place->y, place->width, place->height);
             if (wish.out) {
                 draw_leader(painter, {at->x, at->y}, box);
@@ -177,96 +199,6 @@ void SceneOverlay::draw_label(QPainter& painter, const SceneLabel& label,
     painter.setPen(qt(palette.text));
     painter.drawText(place, Qt::AlignCenter, label.text);
     painter.restore();
-}
-
-namespace {
-
-constexpr std::size_t most_marks = 14;
-
-/// Halfway along a ray, or near its start where it has no end.
-Point3 along_way(const TreeRay<double>& ray, const Extent& extent) {
-    const double way = ray.hit                                ? ray.hit->t / 2
-                       : ray.shadow && ray.shadow->blocked_by ? ray.shadow->blocked_by->t / 2
-                                                              : 0.12 * extent.diagonal;
-    return along(ray.origin, way, ray.direction);
-}
-
-/// The sign of each ray that is not the same in both trees, those first where it begins.
-void add_marks(std::vector<SceneLabel>& labels, const State& state, const Extent& extent) {
-    const auto& tree = state.tree();
-    if (!tree || !tree->contrast) {
-        return;
-    }
-    std::size_t count = 0;
-    const auto add = [&](const TreeRay<double>& ray, bool causes) {
-        const RayMark mark = tree->mark(ray.id);
-        const bool sent = !state.playback() || state.playback()->stage(ray.id) != Stage::unsent;
-        const bool due = mark != RayMark::none && mark != RayMark::same && sent &&
-                         shown(state.look().filter, *tree, ray) != Shown::hidden;
-        const bool below_cut =
-            mark == RayMark::cut && ray.parent && tree->mark(*ray.parent) == RayMark::cut;
-        if (due && !below_cut && causes == (mark != RayMark::follows) && count < most_marks) {
-            labels.push_back({along_way(ray, extent),
-                              qt(std::string(text_of(mark).sign) + " " + number_of(*tree, ray.id)),
-                              mark == RayMark::different});
-            ++count;
-        }
-    };
-    for (const bool causes : {true, false}) {
-        for (const TreeRay<double>& ray : tree->tree.rays) {
-            add(ray, causes);
-        }
-    }
-}
-
-}  // namespace
-
-std::string contrast_note(const State& state) {
-    const auto& tree = state.tree();
-    if (!tree || !tree->contrast) {
-        return {};
-    }
-    if (tree->contrast->what == Contrast::What::cut) {
-        return tree->grafted == 0 ? "" : "╌ cut away by the change (Esc lets go)";
-    }
-    return "≠ differs   ~ follows   − missing   + extra";
-}
-
-std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
-                                     bool from_the_eye) {
-    std::vector<SceneLabel> labels;
-    if (!state.document()) {
-        return labels;
-    }
-    const Scene& scene = state.document()->scene();
-    const TreeRay<double>* const ray = state.selected();
-    if (state.thing() && state.thing()->kind == Thing::Kind::object) {
-        const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
-        labels.push_back({at, qt(name_of(scene, *state.thing())), true});
-    }
-    if (ray && ray->hit) {
-        if (object_named(scene, ray->hit->object) != state.thing()) {
-            labels.push_back({ray->hit->point, qt(ray->hit->object), true});
-        }
-        labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
-    } else if (ray && ray->shadow && ray->shadow->blocked_by) {
-        labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
-                          qt(ray->shadow->blocked_by->object), true});
-    }
-    for (const ExplainedMark& mark : explained_marks(state, extent)) {
-        labels.push_back({mark.at, qt(mark.words), true});
-    }
-    add_marks(labels, state, extent);
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const bool chosen = state.thing() == Thing{Thing::Kind::light, k};
-        labels.push_back({place_of(scene.lights[k], extent), qt(scene.lights[k].name), chosen});
-    }
-    if (!from_the_eye) {
-        labels.push_back({scene.camera.eye, QStringLiteral("eye"), false});
-        labels.push_back({picture_corners(*state.document(), extent.plane_distance)[0],
-                          QStringLiteral("picture"), false});
-    }
-    return labels;
 }
 
 }  // namespace raytree::inspector

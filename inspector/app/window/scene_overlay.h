@@ -2,23 +2,14 @@
 
 #include <QStringList>
 #include <QWidget>
-#include <optional>
 #include <vector>
 
-#include "drawing/extent.h"
-#include "state/state.h"
+#include "drawing/words.h"
+#include "window/scene_labels.h"
 
 class QPainter;
 
 namespace raytree::inspector {
-
-/// A name in the 3D view.
-struct SceneLabel {
-    Point3 at;
-    QString text;
-    bool strong = false;
-    std::optional<Point3> out = std::nullopt;  ///< towards which it may be moved
-};
 
 /// What Qt writes over the 3D view: names beside things and the legend. Names keep clear of each
 /// other; one that finds no room is left out.
@@ -27,15 +18,31 @@ class SceneOverlay : public QWidget {
     SceneOverlay(const State& state, const View& view, QWidget* parent);
 
     /// To be called while the view beneath is painted: the overlay is painted next.
-    void set_labels(std::vector<SceneLabel> labels);
+    void set_labels(std::vector<SceneLabel> labels, std::vector<WordLine> lines);
+    void set_legend(const SceneLegend& legend);
     /// Sentences below the legend: what of the tree is not drawn.
     void set_notes(const QStringList& notes);
+    /// How much of the lower edge the legend takes in a view of this width, its margins included.
+    int foot(int width) const;
 
   protected:
     void paintEvent(QPaintEvent*) override;
 
   private:
+    struct Entry {
+        std::optional<RayLook> look;  ///< none: a ring, or dots for what was not sent
+        QString text;
+        bool dotted = false;
+    };
+    struct Layout {
+        std::vector<QPointF> places;  ///< of the entries, from the box's top left corner
+        QSizeF size;
+        double line = 0;  ///< the height of one
+    };
+    std::vector<Entry> entries() const;
+    Layout layout(const QFontMetricsF& metrics, int width) const;
     QRectF draw_legend(QPainter& painter) const;
+    void draw_entry(QPainter& painter, const Entry& entry, const QRectF& place) const;
     void draw_notes(QPainter& painter, QRectF lines) const;
     void draw_leader(QPainter& painter, QPointF from, const QRectF& box) const;
     void draw_label(QPainter& painter, const SceneLabel& label, const QRectF& place) const;
@@ -44,14 +51,9 @@ class SceneOverlay : public QWidget {
     const State& state_;
     const View& view_;
     std::vector<SceneLabel> labels_;
+    std::vector<WordLine> lines_;  ///< rays, which labels keep clear of
+    SceneLegend legend_;
     QStringList notes_;
 };
-
-/// What the signs of a compared tree mean; empty where none is.
-std::string contrast_note(const State& state);
-
-/// The names of what stands in the 3D view just now.
-std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
-                                     bool from_the_eye);
 
 }  // namespace raytree::inspector

@@ -138,19 +138,21 @@ void ScenePane::obey(Request request) {
 
 std::optional<View> ScenePane::asked_view(Request request) const {
     const Document& document = *state_.document();
+    View now = view_;
+    now.foot = overlay_->foot(now.width);
     switch (request) {
         case Request::through_camera:
-            return camera_view(document, extent_, view_);
+            return camera_view(document, extent_, now);
         case Request::from_side:
-            return side_view(document, extent_, paths_, view_);
+            return side_view(document, extent_, paths_, now);
         case Request::onto_hit:
             return state_.tree() && state_.selected()->hit
-                       ? std::optional(hit_view(*state_.selected(), extent_, view_))
+                       ? std::optional(hit_view(document, *state_.selected(), extent_, now))
                        : std::nullopt;
         case Request::fit_tree:
-            return fitted_above_legend(view_, points_of(paths_, extent_));
+            return fitted_above_legend(now, points_of(paths_, extent_));
         case Request::fit_selection:
-            return fitted_above_legend(view_, selected_points(), 0.3);
+            return fitted_above_legend(now, selected_points(), 0.3);
         default:
             return std::nullopt;
     }
@@ -192,6 +194,9 @@ void ScenePane::take_tree() {
                           std::back_inserter(beside_));
     }
     show_notes();
+    std::vector<RayPath> all = paths_;
+    all.insert(all.end(), beside_.begin(), beside_.end());
+    overlay_->set_legend(legend_of(state_, all));
 }
 
 /// What of the tree is not drawn as it is.
@@ -272,11 +277,10 @@ bool ScenePane::prepare_frame() {
     }
     if (std::exchange(stale_view_, false)) {
         settled_.start();
-        scene3d_.set_picture_place(picture_corners(*state_.document(), extent_.plane_distance),
-                                   !looks_from_the_eye());
+        place_picture();
         if (state_.look().shapes == ShapeStyle::see_through) {
             shape_order_ = drawing_order(mesh_, extent_, view_.eye);
-            scene3d_.set_shape_order(triangles_of(mesh_, shape_order_));
+            scene3d_.set_shape_order(triangles_of(mesh_, shape_order_, view_.eye));
         }
     }
     if (std::exchange(stale_rays_, false)) {
@@ -310,6 +314,16 @@ bool ScenePane::take_mesh(std::chrono::milliseconds patience) {
     return true;
 }
 
+/// Its pixels are squares as soon as they are as large as those of the screen.
+void ScenePane::place_picture() {
+    const auto corners = picture_corners(*state_.document(), extent_.plane_distance);
+    const double pixel =
+        glm::length(corners[1] - corners[0]) / std::max(1, state_.document()->scene().camera.width);
+    const Point3 middle = (corners[0] + corners[2]) * 0.5;
+    scene3d_.set_picture_place(corners, pixel >= length_per_pixel(view_, middle),
+                               !looks_from_the_eye());
+}
+
 /// All that stands beside the shapes: it is made anew for each view and selection.
 void ScenePane::prepare_rays() {
     const Palette& palette = palette_of(state_.look().theme);
@@ -324,7 +338,8 @@ void ScenePane::prepare_rays() {
         rays = ray_meshes({paths_, tree, ray, extent_, view_, palette, set_aside(state_)});
         if (can_derive(tree, ray, state_.playback())) {
             angles = angle_drawing({*state_.document(), tree, ray, extent_, view_, palette,
-                                    state_.look().angles, state_.look().ghosts});
+                                    state_.look().angles, state_.look().ghosts,
+                                    state_.playback() ? &*state_.playback() : nullptr});
         }
     }
     add_thin(rays.lines, beside_, palette);
@@ -341,7 +356,19 @@ void ScenePane::prepare_rays() {
     std::ranges::copy(scene_labels(state_, extent_, view_, looks_from_the_eye()),
                       std::back_inserter(labels));
     std::ranges::stable_partition(labels, &SceneLabel::strong);
-    overlay_->set_labels(std::move(labels));
+    overlay_->set_labels(std::move(labels), ray_lines());
+}
+
+/// Rays as they stand on the screen; none where there are too many for words to keep clear of.
+std::vector<WordLine> ScenePane::ray_lines() const {
+    constexpr std::size_t most = 400;
+    std::vector<WordLine> lines;
+    for (std::size_t k = 0; k < paths_.size() && paths_.size() <= most; ++k) {
+        if (const auto ends = on_screen(paths_[k], view_)) {
+            lines.push_back({ends->first.x, ends->first.y, ends->second.x, ends->second.y});
+        }
+    }
+    return lines;
 }
 
 /// Of many shapes only those are drawn once more that may stand before a ray or a mark.
@@ -359,7 +386,7 @@ void ScenePane::lay_shapes_over(std::initializer_list<const Mesh*> things) {
         return covered.meets(mesh_.objects[k].centre, mesh_.objects[k].radius);
     });
     if (over.size() < shape_order_.size() / 2) {
-        scene3d_.set_shapes_over(part_of(mesh_, over));
+        scene3d_.set_shapes_over(part_of(mesh_, over, view_.eye));
     } else {
         scene3d_.set_all_shapes_over();
     }

@@ -8,6 +8,7 @@
 #include "drawing/extent.h"
 #include "drawing/ray_paths.h"
 #include "drawing/scene_mesh.h"
+#include "drawing/words.h"
 #include "state/newest_work.h"
 #include "view3d/scene3d.h"
 #include "window/picture_feed.h"
@@ -62,7 +63,9 @@ class ScenePane : public QWidget {
     void show_notes();
     void make_mesh(double pixel);
     bool take_mesh(std::chrono::milliseconds patience);
+    void place_picture();
     void prepare_rays();
+    std::vector<WordLine> ray_lines() const;
     void lay_shapes_over(std::initializer_list<const Mesh*> things);
     bool looks_from_the_eye() const;
     /// Hands over what has changed since the last frame; whether anything has.

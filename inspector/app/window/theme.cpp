@@ -134,7 +134,7 @@ void apply_theme(const Palette& p) {
     colours.setColor(QPalette::ToolTipBase, qt(p.panel));
     colours.setColor(QPalette::ToolTipText, qt(p.text));
     colours.setColor(QPalette::Highlight, qt(p.accent));
-    colours.setColor(QPalette::HighlightedText, qt(Ink(0xFFFFFF)));
+    colours.setColor(QPalette::HighlightedText, qt(p.panel));
     colours.setColor(QPalette::Link, qt(p.accent));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
         colours.setColor(QPalette::Disabled, role, qt(mixed(p.window, p.dim_text, 0.5)));

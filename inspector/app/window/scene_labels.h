@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QString>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/extent.h"
+#include "drawing/ray_paths.h"
+#include "state/state.h"
+
+/// What is written over the 3D view.
+namespace raytree::inspector {
+
+/// A name in the 3D view.
+struct SceneLabel {
+    Point3 at;
+    QString text;
+    bool strong = false;
+    std::optional<Point3> out = std::nullopt;  ///< towards which it may be moved
+};
+
+/// What the legend explains: only what is drawn.
+struct SceneLegend {
+    std::array<bool, look_count> looks = {};
+    bool open = false;    ///< rays that meet nothing
+    bool unsent = false;  ///< rays that were not sent
+
+    friend bool operator==(const SceneLegend&, const SceneLegend&) = default;
+};
+SceneLegend legend_of(const State& state, const std::vector<RayPath>& paths);
+
+/// What the signs of a compared tree mean; empty where none is.
+std::string contrast_note(const State& state);
+
+/// The names of what stands in the 3D view just now.
+std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
+                                     bool from_the_eye);
+
+}  // namespace raytree::inspector
