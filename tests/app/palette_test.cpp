@@ -28,8 +28,10 @@ TEST_CASE("app: words stand out from what they are written on, in both themes") 
     CHECK(contrast(Ink(0x000000), Ink(0xFFFFFF)) == doctest::Approx(21));
     for (const Theme theme : {Theme::light, Theme::dark}) {
         const Palette& p = palette_of(theme);
-        const Ink chosen_row = mixed(p.panel, p.selection, 0.2), pressed = mixed(p.window, p.accent, 0.2);
-        const Ink question = mixed(p.panel, p.accent, 0.07), marked = mixed(p.panel, p.accent, 0.12);
+        const Ink chosen_row = mixed(p.panel, p.selection, 0.2),
+                  pressed = mixed(p.window, p.accent, 0.2);
+        const Ink question = mixed(p.panel, p.accent, 0.07),
+                  marked = mixed(p.panel, p.accent, 0.12);
         for (const Ink ground : {p.window, p.panel, chosen_row, pressed, question, marked}) {
             CHECK(contrast(p.text, ground) > 7);
         }
@@ -47,8 +49,8 @@ TEST_CASE("app: words stand out from what they are written on, in both themes") 
 
 TEST_CASE("app: kinds of rays differ in brightness or in their strokes") {
     // Seen without any hue: shadow rays are dashed and others are not; those that can be taken for
-    // each other, reflected and refracted, have arrowheads and their kind in the legend's sign. What
-    // must differ without it is whether a shadow ray reaches the light.
+    // each other, reflected and refracted, have arrowheads and their kind in the legend's sign.
+    // What must differ without it is whether a shadow ray reaches the light.
     for (const Theme theme : {Theme::light, Theme::dark}) {
         const Palette& p = palette_of(theme);
         CHECK(contrast(p[RayLook::lit], p[RayLook::blocked]) > 2);

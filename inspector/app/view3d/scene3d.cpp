@@ -53,7 +53,7 @@ void add_lights(vtkRenderer* renderer) {
 struct Scene3d::Parts {
     vtkNew<vtkGenericOpenGLRenderWindow> window;
     vtkNew<StandingRenderer> renderer;
-    vtkNew<vtkTexture> texture;
+    vtkNew<vtkTexture> smooth, squares;  ///< of the picture; VTK keeps to a texture's first filter
     Part shapes, shapes_over, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading,
         angles, faint_angles;
     Part explained_faces, explained_lines, explained;
@@ -148,8 +148,8 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     }
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
     p.halo.actor->GetProperty()->FrontfaceCullingOn();
-    p.texture->MipmapOn();
-    p.picture.actor->SetTexture(p.texture);
+    p.smooth->InterpolateOn();
+    p.smooth->MipmapOn();
     p.picture.actor->GetProperty()->SetOpacity(0.85);  // rays behind it do not get lost
 }
 
@@ -219,12 +219,13 @@ void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t
         *byte++ = static_cast<unsigned char>(colour >> 8);
         *byte++ = static_cast<unsigned char>(colour);
     }
-    parts_->texture->SetInputData(image);
+    parts_->smooth->SetInputData(image);
+    parts_->squares->SetInputData(image);
     parts_->renderer->forget();
 }
 
 void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squares, bool shown) {
-    parts_->texture->SetInterpolate(!squares);
+    parts_->picture.actor->SetTexture(squares ? parts_->squares : parts_->smooth);
     vtkNew<vtkPoints> points;
     for (const Point3& corner : corners) {
         points->InsertNextPoint(corner.x, corner.y, corner.z);
@@ -234,7 +235,7 @@ void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squar
     data->SetPolys(cells_of({0, 1, 2, 3}, 4));
     data->GetPointData()->SetTCoords(
         array_of<vtkFloatArray>(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 2));
-    parts_->picture.actor->SetVisibility(shown && parts_->texture->GetInput());
+    parts_->picture.actor->SetVisibility(shown && parts_->squares->GetInput());
     parts_->renderer->forget();
 }
 

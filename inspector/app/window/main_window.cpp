@@ -207,7 +207,7 @@ void MainWindow::share_room() {
                     Qt::Vertical);
     }
     tall_tree_ = state_.tree_pane().tall;
-    const int below = tall_tree_ ? static_cast<int>(height() * 0.6)
+    const int below = tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
                                  : std::clamp(static_cast<int>(height() * 0.36), 160, 480);
     const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
     resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
