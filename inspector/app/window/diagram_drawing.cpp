@@ -78,7 +78,7 @@ void DiagramDrawing::mark_rays(std::size_t k, const std::vector<bool>& marked) {
     }
     const auto frame = [&](DiagramSpot spot) {
         use({palette_.selection, 1.8, Qt::DashLine});
-        painter_.drawRoundedRect(rectangle(place_of(diagram_, spot)).adjusted(-3, 2, 3, 2), 6, 6);
+        painter_.drawRoundedRect(rectangle(place_of(diagram_, spot)).adjusted(-3, 2, 3, 4), 6, 6);
     };
     if (has(marked, box)) {
         frame({k, std::nullopt});
