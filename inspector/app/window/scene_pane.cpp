@@ -271,8 +271,7 @@ bool ScenePane::prepare_frame() {
     if (std::exchange(stale_picture_, false) && !feed_.picture().cells.empty()) {
         const ShownPicture& picture = feed_.picture();
         scene3d_.set_picture(picture.width, picture.height, picture.cells);
-        scene3d_.set_picture_place(picture_corners(*state_.document(), extent_.plane_distance),
-                                   !looks_from_the_eye());
+        place_picture();
         settled_.start();
     }
     if (std::exchange(stale_view_, false)) {
