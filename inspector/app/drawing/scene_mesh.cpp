@@ -240,7 +240,7 @@ class Builder {
     }
 
     void add_triangle(const Ground::Triangle& corners, const Point3& normal) {
-        std::array<std::int32_t, 3> places;
+        std::array<std::int32_t, 3> places{};
         std::ranges::transform(corners, places.begin(), [&](const Point3& p) {
             const std::uint8_t alpha = alpha_of(firmness_ * ground_.firmness(p), true);
             return mesh_.faces.add_point(p, normal, {paint_.ink, alpha});
