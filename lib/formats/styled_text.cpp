@@ -76,9 +76,19 @@ void StyledText::paragraph(std::string_view prefix, std::string_view hanging, co
     Spans on_line;
     std::size_t column = 0;
     std::string_view before = prefix;
-    for (Span& word : words_of(spans)) {
+    Spans words = words_of(spans);
+    // A word may go on in another style, as a full stop after what is stressed does.
+    const auto columns_from = [&](std::size_t k) {
+        std::size_t columns = columns_of(words[k].text);
+        while (++k < words.size() && !words[k].text.starts_with(' ')) {
+            columns += columns_of(words[k].text);
+        }
+        return columns;
+    };
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        Span& word = words[k];
         if (!on_line.empty() && word.text.starts_with(' ') &&
-            column + columns_of(word.text) > room_after(before)) {
+            column + columns_from(k) > room_after(before)) {
             line(before, on_line);
             on_line.clear();
             before = hanging;

@@ -28,6 +28,18 @@ void add_blocks(StyledText& out, const std::string& indent, const FilledText& te
     }
 }
 
+/// JSON in one line, with blanks at which it may be broken.
+std::string spaced(const std::string& json) {
+    std::string text;
+    bool quoted = false;
+    for (const char c : json) {
+        quoted ^= c == '"';  // names and words of scenes have no escaped quotes
+        text += c;
+        text += !quoted && (c == ',' || c == ':') ? " " : "";
+    }
+    return text;
+}
+
 class LessonWriter {
   public:
     LessonWriter(const Play& play, const LessonTextOptions& options)
@@ -76,7 +88,7 @@ class LessonWriter {
                            "," + std::to_string(show.pixel.j) + ", ray #" +
                            std::to_string(play_.ray(k));
         if (!show.change.is_null()) {
-            text += ", with " + show.change.dump();
+            text += ", with " + spaced(show.change.dump());
         }
         out_.paragraph("  ", "         ", {{Style::absent, text}});
     }

@@ -9,7 +9,7 @@ namespace raytree::lesson {
 
 struct LessonTextOptions {
     bool colour = false;
-    std::size_t width = 90;
+    std::size_t width = 79;           ///< columns: terminals have 80 or more
     std::optional<std::size_t> step;  ///< from 0; none: all
 };
 
