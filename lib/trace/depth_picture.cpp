@@ -162,40 +162,56 @@ DepthComparison compare(const DepthPicture& picture, const Vec3<double>& point, 
     return comparison;
 }
 
-DepthAgreement agreement(const World<double>& world, std::size_t light, const DepthPicture& picture,
-                         double bias) {
-    DepthAgreement agreement;
+namespace {
+
+ShadowAnswers answers_at(const World<double>& world, std::size_t light, const DepthPicture& picture,
+                         double bias, const Ray<double>& ray) {
     NoTestCount count;
+    const auto hit =
+        world.shapes.closest(ray, no_primitive, {world.camera.near_along(ray.direction)}, count);
+    if (!hit) {
+        return ShadowAnswers::none;
+    }
+    const SurfacePoint<double> surface =
+        world.shapes.shapes().surface_at(hit->primitive, ray, hit->t);
+    const bool front = inner(ray.direction, surface.geometric_normal) < 0;
+    const Vec n = front ? surface.shading_normal.vec() : Vec(-surface.shading_normal.vec());
+    const Illumination<double> at = illuminate(world.lights[light], surface.point, n);
+    if (!at.in_front()) {
+        return ShadowAnswers::none;
+    }
+    const Ray<double> to_light{surface.point, at.towards,
+                               4 * Real<double>::unit_roundoff * largest_component(surface.point),
+                               front ? Going::outwards : Going::inwards};
+    const Interval<double> between{0, at.distance * (1 - 8 * Real<double>::unit_roundoff)};
+    const bool reached = !world.shapes.any(to_light, hit->primitive, between, count);
+    const bool lit = compare(picture, surface.point, bias).lit;
+    return reached ? (lit ? ShadowAnswers::both_lit : ShadowAnswers::wrongly_dark)
+                   : (lit ? ShadowAnswers::wrongly_lit : ShadowAnswers::both_dark);
+}
+
+}  // namespace
+
+std::vector<ShadowAnswers> shadow_answers(const World<double>& world, std::size_t light,
+                                          const DepthPicture& picture, double bias) {
+    std::vector<ShadowAnswers> answers;
     const Camera& camera = world.scene().camera;
     for (int j = 0; j < camera.height; ++j) {
         for (int i = 0; i < camera.width; ++i) {
-            const Ray<double> ray = world.camera.primary(i, j);
-            const auto hit = world.shapes.closest(ray, no_primitive,
-                                                  {world.camera.near_along(ray.direction)}, count);
-            if (!hit) {
-                continue;
-            }
-            const SurfacePoint<double> surface =
-                world.shapes.shapes().surface_at(hit->primitive, ray, hit->t);
-            const bool front = inner(ray.direction, surface.geometric_normal) < 0;
-            const Vec n = front ? surface.shading_normal.vec() : Vec(-surface.shading_normal.vec());
-            const Illumination<double> at = illuminate(world.lights[light], surface.point, n);
-            if (!at.in_front()) {
-                continue;
-            }
-            const Ray<double> to_light{
-                surface.point, at.towards,
-                4 * Real<double>::unit_roundoff * largest_component(surface.point),
-                front ? Going::outwards : Going::inwards};
-            const Interval<double> between{0, at.distance * (1 - 8 * Real<double>::unit_roundoff)};
-            const bool reached = !world.shapes.any(to_light, hit->primitive, between, count);
-            const bool lit = compare(picture, surface.point, bias).lit;
-            ++agreement.compared;
-            agreement.wrongly_dark += reached && !lit ? 1 : 0;
-            agreement.wrongly_lit += !reached && lit ? 1 : 0;
+            answers.push_back(answers_at(world, light, picture, bias, world.camera.primary(i, j)));
         }
     }
-    return agreement;
+    return answers;
+}
+
+DepthAgreement agreement(const World<double>& world, std::size_t light, const DepthPicture& picture,
+                         double bias) {
+    const std::vector<ShadowAnswers> answers = shadow_answers(world, light, picture, bias);
+    const auto count = [&](ShadowAnswers answer) {
+        return static_cast<std::size_t>(std::ranges::count(answers, answer));
+    };
+    return {answers.size() - count(ShadowAnswers::none), count(ShadowAnswers::wrongly_dark),
+            count(ShadowAnswers::wrongly_lit)};
 }
 
 }  // namespace raytree

@@ -57,11 +57,23 @@ struct DepthComparison {
 };
 DepthComparison compare(const DepthPicture& picture, const Vec3<double>& point, double bias);
 
-/// The two answers over all primary hits of a picture that face the light.
+/// What the depth picture and the shadow ray say of one primary hit that faces the light.
+enum class ShadowAnswers {
+    none,          ///< no hit, or one that is turned away from the light
+    both_lit,      ///< the shadow ray reaches the light, and the depth picture says so
+    both_dark,     ///< it is stopped, and the depth picture says so
+    wrongly_dark,  ///< the shadow ray reaches the light: acne, and borders
+    wrongly_lit    ///< the shadow ray is stopped: light leaks
+};
+/// Row by row from the top left. Any surface in between stops a shadow ray, as with `opaque`.
+std::vector<ShadowAnswers> shadow_answers(const World<double>& world, std::size_t light,
+                                          const DepthPicture& picture, double bias);
+
+/// The same, counted.
 struct DepthAgreement {
     std::size_t compared = 0;
-    std::size_t wrongly_dark = 0;  ///< the shadow ray reaches the light: acne, and borders
-    std::size_t wrongly_lit = 0;   ///< the shadow ray is stopped: light leaks
+    std::size_t wrongly_dark = 0;
+    std::size_t wrongly_lit = 0;
     std::size_t differ() const { return wrongly_dark + wrongly_lit; }
 };
 DepthAgreement agreement(const World<double>& world, std::size_t light, const DepthPicture& picture,

@@ -1,11 +1,10 @@
 #include "trace/time_share.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 
 #include "accel/lecture_hierarchy.h"
 #include "trace/ray_list.h"
+#include "trace/thread_time.h"
 
 namespace raytree {
 namespace {
@@ -13,23 +12,6 @@ namespace {
 constexpr std::size_t most_pixels = 4096;
 constexpr std::size_t brute_force_tests = 20'000'000;  // about a tenth of a second
 constexpr int repeats = 3;
-
-double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// The least of a few runs: what disturbs only makes a run longer.
-template <class Work> double time_of(Work work) {
-    double least = Real<double>::infinity;
-    for (int k = 0; k < repeats; ++k) {
-        const double start = thread_seconds();
-        work();
-        least = std::min(least, thread_seconds() - start);
-    }
-    return least;
-}
 
 void trace_some(const World<double>& world, std::size_t stride) {
     const auto width = static_cast<std::size_t>(world.scene().camera.width);
@@ -65,11 +47,13 @@ TimeShare measure_time_share(const World<double>& world) {
     TimeShare share;
     share.rays = rays.size();
     std::size_t hits = 0;
-    share.all = time_of([&] { trace_some(world, stride); });
-    share.intersection = time_of([&] {
-        NoTestCount count;
-        ask_again(world.shapes, rays, count, hits);
-    });
+    share.all = thread_time_of([&] { trace_some(world, stride); }, repeats);
+    share.intersection = thread_time_of(
+        [&] {
+            NoTestCount count;
+            ask_again(world.shapes, rays, count, hits);
+        },
+        repeats);
     const LectureIntersector every(LectureKind::brute_force, world.shapes.shapes());
     const std::size_t shapes = std::max<std::size_t>(1, world.shapes.shapes().size());
     const std::size_t few = std::clamp<std::size_t>(brute_force_tests / shapes, 1, rays.size());
@@ -79,7 +63,8 @@ TimeShare measure_time_share(const World<double>& world) {
         some.push_back(rays[k]);
     }
     LectureCount tests;
-    const double brute_force = time_of([&] { ask_again(every, some, tests, hits); });
+    const double brute_force =
+        thread_time_of([&] { ask_again(every, some, tests, hits); }, repeats);
     share.brute_force_intersection =
         brute_force * static_cast<double>(rays.size()) / static_cast<double>(some.size());
     return share;

@@ -7,6 +7,7 @@
 #include "trace/render.h"
 #include "trace/self_hits.h"
 #include "trace/time_share.h"
+#include "trace/work_precision.h"
 #include "trace/z_buffer.h"
 
 using namespace raytree;
@@ -112,6 +113,31 @@ TEST_CASE("intersection takes a share of the time, and more of it without a hier
     CHECK(share.share() > 0);
     CHECK(share.brute_force_share() > 0.9);  // of 7,381 balls
     CHECK(share.brute_force_intersection > share.intersection);
+}
+
+TEST_CASE("more digits and more levels give a smaller error, and the reference takes longest") {
+    Scene scene = scene_of("hall-of-mirrors.json", 24, 18);
+    scene.settings.min_weight = 0;
+    scene.settings.max_depth = 6;
+    const WorkPrecision measured = measure_work_precision(scene);
+    REQUIRE(measured.arithmetics.size() == 3);
+    CHECK(measured.pixels >= 64);
+    CHECK(measured.pixels <= 24 * 18);
+    const WorkPoint& in_float = measured.arithmetics[0];
+    const WorkPoint& in_double = measured.arithmetics[1];
+    const WorkPoint& reference = measured.arithmetics[2];
+    CHECK(reference.label == "reference");
+    CHECK(reference.error == 0);
+    CHECK(in_double.error > 0);
+    CHECK(in_double.error < 1e-6 * in_float.error);
+    CHECK(reference.seconds > 10 * in_double.seconds);
+    // A tree that is cut off has a larger error than any rounding; the deepest is the scene's own.
+    REQUIRE(measured.levels.size() == 5);
+    CHECK(measured.levels[0].label == "1 level");
+    for (std::size_t k = 0; k < measured.levels.size(); ++k) {
+        CHECK(measured.levels[k].error > in_float.error);
+        CHECK((k == 0 || measured.levels[k].error < measured.levels[k - 1].error));
+    }
 }
 
 TEST_CASE("rays that do not know the surface they leave meet it again, in every arithmetic") {

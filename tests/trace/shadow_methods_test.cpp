@@ -4,6 +4,7 @@
 #include "trace/depth_picture.h"
 #include "trace/shading.h"
 #include "trace/shadow_volume.h"
+#include "tree/record.h"
 
 using namespace raytree;
 
@@ -135,6 +136,39 @@ TEST_CASE("a light's depth picture knows distances, and agrees with shadow rays 
     const DepthAgreement acne = agreement(world, 0, DepthPicture(world, 0, 128), 0);
     const DepthAgreement cured = agreement(world, 0, DepthPicture(world, 0, 128), 0.1);
     CHECK(acne.wrongly_dark > 4 * cured.wrongly_dark);
+}
+
+TEST_CASE("pixel by pixel the depth picture and the shadow ray say what the tree knows") {
+    const Scene scene = scene_of("concave-polygon.json");
+    const World<double> world(scene);
+    const DepthPicture picture(world, 0, 64);
+    const auto answers = shadow_answers(world, 0, picture, 0);
+    const int width = scene.camera.width;
+    REQUIRE(answers.size() == static_cast<std::size_t>(width * scene.camera.height));
+    std::array<std::size_t, 5> counts{};
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+        ++counts[static_cast<std::size_t>(answers[k])];
+        const int i = static_cast<int>(k) % width, j = static_cast<int>(k) / width;
+        const RayTree<double> tree = record_tree(world, i, j);
+        const auto shadow = std::ranges::find_if(tree.rays, [&](const TreeRay<double>& ray) {
+            return ray.kind == RayKind::shadow && ray.parent == 0 &&
+                   ray.shadow->light == scene.lights[0].name;
+        });
+        REQUIRE((shadow != tree.rays.end()) == (answers[k] != ShadowAnswers::none));
+        if (shadow == tree.rays.end()) {
+            continue;
+        }
+        const bool reached =
+            answers[k] == ShadowAnswers::both_lit || answers[k] == ShadowAnswers::wrongly_dark;
+        const bool lit =
+            answers[k] == ShadowAnswers::both_lit || answers[k] == ShadowAnswers::wrongly_lit;
+        CHECK(reached == !shadow->shadow->blocked_by);
+        CHECK(lit == compare(picture, tree.rays[0].hit->point, 0).lit);
+    }
+    const DepthAgreement agreed = agreement(world, 0, picture, 0);
+    CHECK(agreed.wrongly_dark == counts[static_cast<std::size_t>(ShadowAnswers::wrongly_dark)]);
+    CHECK(agreed.wrongly_lit == counts[static_cast<std::size_t>(ShadowAnswers::wrongly_lit)]);
+    CHECK(agreed.compared == answers.size() - counts[0]);
 }
 
 TEST_CASE("around a light amid the scene the depth picture has six sides") {
