@@ -5,7 +5,6 @@
 #include "lesson/feature_work.h"
 #include "trace/render.h"
 #include "trace/self_hits.h"
-#include "trace/time_share.h"
 #include "trace/z_buffer.h"
 
 namespace raytree::lesson {
@@ -42,10 +41,26 @@ Json z_buffer_json(const StageWorld& world, const Show& show, std::size_t) {
 }
 
 Json time_json(const StageWorld& world, const Show&, std::size_t) {
-    const TimeShare share = measure_time_share(world.world());
+    const TimeShare share = time_share_of(world);
     return {{"rays", share.rays},
             {"intersection_share", share.share()},
             {"brute_force_share", share.brute_force_share()}};
+}
+
+Json point_json(const WorkPoint& point) {
+    return {{"label", point.label}, {"seconds", point.seconds}, {"error", point.error}};
+}
+
+Json accuracy_json(const StageWorld& world, const Show&, std::size_t) {
+    const WorkPrecision measured = work_precision_of(world);
+    Json json = {{"pixels", measured.pixels}, {"levels", Json::array()}};
+    for (const WorkPoint& point : measured.arithmetics) {
+        json[point.label] = point_json(point);
+    }
+    for (const WorkPoint& point : measured.levels) {
+        json["levels"].push_back(point_json(point));
+    }
+    return json;
 }
 
 template <class T> Json self_hits_in(const Scene& scene) {
@@ -61,7 +76,7 @@ Json self_hits_json(const StageWorld& world, const Show&, std::size_t) {
 
 /// What the lecture says itself, where a lesson quotes it.
 Json lecture_json(const StageWorld&, const Show&, std::size_t) {
-    return {{"intersection_share", Json::array({0.75, 0.95})}};
+    return {{"intersection_share", Json(lecture_intersection_share)}};
 }
 
 struct Feature {
@@ -74,7 +89,8 @@ constexpr Feature features[] = {
     {"traversal", traversal_json, false}, {"hierarchies", hierarchies_json, false},
     {"volumes", volumes_json, false},     {"depth", depth_json, false},
     {"z_buffer", z_buffer_json, false},   {"time", time_json, true},
-    {"self_hits", self_hits_json, true},  {"lecture", lecture_json, true},
+    {"accuracy", accuracy_json, true},    {"self_hits", self_hits_json, true},
+    {"lecture", lecture_json, true},
 };
 
 /// What two looks at a feature must have in common to be the same.
@@ -125,6 +141,15 @@ std::optional<Value> feature_member(const StageWorld& world, const Show& show, s
         }
     }
     return std::nullopt;
+}
+
+TimeShare time_share_of(const StageWorld& world) {
+    return world.measured_once<TimeShare>([&] { return measure_time_share(world.world()); });
+}
+
+WorkPrecision work_precision_of(const StageWorld& world) {
+    return world.measured_once<WorkPrecision>(
+        [&] { return measure_work_precision(world.scene()); });
 }
 
 void check_features(const StageWorld& world, const Show& show, std::size_t) {

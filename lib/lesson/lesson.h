@@ -78,7 +78,8 @@ struct Show {
     std::optional<int> stepped;  ///< the last ray that is there yet; none: the whole tree
     View view = NamedView::camera;
     ShapeLook shapes = ShapeLook::see_through;
-    std::optional<Measure> overlay;
+    std::optional<Measure> overlay;  ///< in the picture's place
+    bool depth_overlay = false;      ///< there: where depth picture and shadow rays differ
     std::optional<Panel> panel;      ///< in front, and highlighted
     std::optional<Formula> formula;  ///< highlighted in the details
     std::vector<RayKind> hide;       ///< kinds of rays left out of the 3D view
@@ -86,6 +87,8 @@ struct Show {
     bool hide_unsent = false;        ///< the rays that were not sent
     bool eye_space = false;
     bool z_buffer = false;
+    bool time = false;      ///< where the time goes, measured
+    bool accuracy = false;  ///< run time against error, measured
     std::optional<ShowerShown> shower;
     std::optional<TraversalShown> traversal;
     std::optional<VolumesShown> volumes;

@@ -12,7 +12,7 @@ using Words = ObjectReader::Words;
 
 const Words view_words = {"camera", "side", "tree", "ray"};
 const Words shape_words = {"see-through", "solid", "wire"};
-const Words overlay_words = {"rays", "levels", "tests", "time", "ended"};
+const Words overlay_words = {"rays", "levels", "tests", "time", "ended", "depth"};
 const Words panel_words = {"picture", "scene",   "outline",  "diagram",
                            "counts",  "details", "explained"};
 const Words formula_words = {"pixel",        "sphere", "polygon",    "normal",     "media",
@@ -48,16 +48,18 @@ class ShowReader {
         }
         read_view();
         choice("shapes", shape_words, show_.shapes);
-        choice("overlay", overlay_words, show_.overlay);
+        read_overlay();
         choice("panel", panel_words, show_.panel);
         choice("formula", formula_words, show_.formula);
         read_hidden();
         reader_.truth("eye_space", show_.eye_space, Need::optional);
         reader_.truth("z_buffer", show_.z_buffer, Need::optional);
+        reader_.truth("time", show_.time, Need::optional);
+        reader_.truth("accuracy", show_.accuracy, Need::optional);
         read_features();
         reader_.nothing_but({"scene", "pixel", "change", "ray", "stepped", "view", "shapes",
-                             "overlay", "panel", "formula", "hide", "eye_space", "z_buffer",
-                             "shower", "traversal", "volumes", "depth"});
+                             "overlay", "panel", "formula", "hide", "eye_space", "z_buffer", "time",
+                             "accuracy", "shower", "traversal", "volumes", "depth"});
     }
 
   private:
@@ -73,6 +75,22 @@ class ShowReader {
         std::size_t k = 0;
         if (reader_.choice(key, words, k, Need::optional)) {
             out = static_cast<Enumeration>(k);
+        }
+    }
+
+    /// The last of the words is no measure but about the depth picture.
+    void read_overlay() {
+        std::size_t k = 0;
+        if (!reader_.choice("overlay", overlay_words, k, Need::optional)) {
+            return;
+        }
+        show_.depth_overlay = k + 1 == overlay_words.size();
+        if (!show_.depth_overlay) {
+            show_.overlay = static_cast<Measure>(k);
+        } else if (reader_.find("depth") == nullptr) {
+            report_.add(reader_.place_of("overlay"),
+                        "\"depth\" compares a light's depth picture with its shadow rays: the "
+                        "member \"depth\" must say which");
         }
     }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <any>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <typeindex>
 
 #include "lesson/lesson.h"
 #include "lesson/staged_scene.h"
@@ -38,6 +40,14 @@ class StageWorld {
     /// Anything else, worked out once under its name.
     std::shared_ptr<const Json> once(const std::string& name,
                                      const std::function<Json()>& work) const;
+    /// What is measured would be another thing each time: each kind of it is measured once.
+    template <class Measured, class Work> const Measured& measured_once(Work work) const {
+        auto& known = measured_[typeid(Measured)];
+        if (!known.has_value()) {
+            known = work();
+        }
+        return std::any_cast<const Measured&>(known);
+    }
 
   private:
     struct Traced {
@@ -51,6 +61,7 @@ class StageWorld {
     TreeSource trace_;
     mutable std::map<std::pair<int, int>, Traced> traced_;
     mutable std::map<std::string, std::shared_ptr<const Json>> worked_out_;
+    mutable std::map<std::type_index, std::any> measured_;
 };
 
 /// Finds other steps for `step(K)`; K from 1. Null where there is no such step.

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "check/catalogue.h"
+#include "check/lessons.h"
 #include "formats/output_file.h"
 #include "lesson/check_lesson.h"
 #include "lesson/features.h"
@@ -243,6 +245,29 @@ TEST_CASE("a tracer with a mistake does not pass the lessons") {
     CHECK(broken("where-a-tree-ends", "rec.min_weight_ignored"));
     CHECK(broken("counting-rays", "refl.missing_child"));
     CHECK(broken("nothing-can-be-culled", "isect.backface_culled"));
+    for (const char* const mistake : {"lit.ambient_no_scene", "lit.directional_sign",
+                                      "lit.spec_unclamped", "lit.spec_abs", "lit.clamped_early"}) {
+        CAPTURE(mistake);
+        CHECK(broken("illumination", mistake));
+    }
+    CHECK(broken("nothing-can-be-culled", "hit.near_rule_on_secondary"));
+    CHECK(broken("when-numbers-fail", "refr.no_offset"));
+}
+
+TEST_CASE("the lesson that shows a mistake is there") {
+    const auto names = lesson_names(lessons);
+    for (const check::MistakeRow& row : check::catalogue()) {
+        CAPTURE(row.id);
+        const std::string number = check::lesson_of(row.id).name().substr(0, 2);
+        CHECK(std::ranges::any_of(
+            names, [&](const std::string& name) { return name.starts_with(number + "-"); }));
+    }
+    // Where the lesson works with the mistake itself.
+    CHECK(check::lesson_of("isect.negative_t").number == 4);
+    CHECK(check::lesson_of("nrm.inverted").number == 9);
+    CHECK(check::lesson_of("shd.no_offset").number == 21);
+    CHECK(check::lesson_of("shd.unlimited").number == 11);
+    CHECK(check::lesson_of("isect.backface_culled").number == 16);
 }
 
 TEST_CASE("lesson: it is found by name, number, or name without number") {
