@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <fstream>
 
+#include "app/sample_lessons.h"
 #include "app/scenes.h"
 #include "lesson/lesson_folder.h"
 #include "state/commands.h"
@@ -12,67 +12,9 @@
 namespace raytree::inspector {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr const char* scene_text = R"({
-  "format": "raytree-scene/1.0",
-  "camera": {"eye": [0, 0, 5], "look_at": [0, 0, 0], "horizontal_fov_degrees": 60,
-             "width": 9, "height": 9},
-  "settings": {"max_depth": 3},
-  "materials": {"red": {"color": [1, 0, 0], "ka": 0.1, "kd": 0.9, "kr": 0.2}},
-  "lights": [{"name": "lamp", "type": "point", "position": [0, 4, 4], "intensity": 1}],
-  "objects": [
-    {"name": "ball", "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "red"},
-    {"name": "wall", "type": "polygon", "material": "red",
-     "vertices": [[-5, -5, -2], [5, -5, -2], [5, 5, -2], [-5, 5, -2]]}]
-})";
-
-constexpr const char* lesson_text = R"({
-  "format": "raytree-lesson/1.0", "title": "A ball", "topic": "Balls", "minutes": 1,
-  "before": ["what a ray is"],
-  "steps": [
-    {"title": "How far", "text": ["It is {primary.hit.t; 2} away."],
-     "show": {"scene": "ball.json", "pixel": [4, 4], "panel": "diagram", "formula": "sphere"},
-     "ask": {"kind": "number", "question": "How far?", "truth": "primary.hit.t",
-             "tolerance": 0.01, "after": "Well.",
-             "hints": [{"when": "answer == 5", "text": "That is the middle."}]}},
-    {"title": "Beside it", "text": ["A pixel."],
-     "show": {"pixel": [4, 4], "shapes": "wire", "hide": ["shadow"], "view": "side"},
-     "ask": {"kind": "pixel", "question": "Which one misses the ball?", "example": [0, 4],
-             "truth": "picked.primary.hit.object == 'wall'"}},
-    {"title": "The shadow", "text": ["A ray."],
-     "show": {"pixel": [4, 4], "ray": "primary.shadow.lamp.id"},
-     "ask": {"kind": "ray", "question": "Which one is the primary ray?",
-             "truth": "picked.kind == 'primary'"}},
-    {"title": "The size", "text": ["A value."],
-     "show": {"pixel": [4, 4], "view": {"eye": [9, 1, 1], "target": [0, 0, 0]}},
-     "ask": {"kind": "value", "question": "Make it larger.", "set": "/objects/0/radius",
-             "from": 0.5, "to": 3, "example": 2, "truth": "primary.hit.t < 3.5"}},
-    {"title": "A choice", "text": ["A letter."],
-     "show": {"pixel": [4, 4], "change": {"objects": {"wall": null}}, "z_buffer": true},
-     "ask": {"kind": "choice", "question": "How many are left?",
-             "truth": "scene.objects.count", "options": [
-               {"text": "two", "value": 2, "hint": "The wall is gone."},
-               {"text": "one", "value": 1}]}}
-  ]
-})";
-
-/// A folder of two lessons, gone when the test is over.
-struct Lessons {
-    fs::path folder = fs::temp_directory_path() / "raytree-app-test-lessons";
-    Lessons() {
-        for (const char* name : {"01-ball", "02-again"}) {
-            fs::create_directories(folder / name);
-            std::ofstream(folder / name / "ball.json") << scene_text;
-            std::ofstream(folder / name / "lesson.json") << lesson_text;
-        }
-    }
-    ~Lessons() { fs::remove_all(folder); }
-};
-
 /// At a step of the first lesson, from 1.
 struct AtStep {
-    Lessons lessons;
+    test::Lessons lessons;
     State state;
     explicit AtStep(const char* step) {
         state.set_lesson_folder(lessons.folder);
@@ -187,7 +129,7 @@ TEST_CASE("app lessons: choices are letters; a step's change is in its scene") {
 }
 
 TEST_CASE("app lessons: the list has each lesson, and says which cannot be read") {
-    Lessons lessons;
+    test::Lessons lessons;
     std::ofstream(lessons.folder / "02-again" / "lesson.json") << "{";
     const auto entries = lessons_in(lessons.folder);
     REQUIRE(entries.size() == 2);
@@ -232,6 +174,15 @@ TEST_CASE("app: features explain any scene, step by step, and end") {
     test::run_and_wait(state, "explain.volumes");
     CHECK(state.explanation().volumes->left_out.size() == 1);  // the ball
     CHECK_THROWS_AS(run_command(state, "explain.shower", "sun"), InputError);
+    test::run_and_wait(state, "explain.time");
+    CHECK(state.explained().time->rays > 81);
+    test::run_and_wait(state, "explain.accuracy");
+    CHECK(state.explained().accuracy->arithmetics.size() == 3);
+    CHECK(explained_text(state).size() == 7);
+    state.change("/materials/red/kd", "0.5");
+    state.poll(std::chrono::seconds(20));  // what was measured is no longer so
+    CHECK_FALSE(state.explained().time);
+    CHECK_FALSE(state.explained().accuracy);
     test::run_and_wait(state, "explain.nothing");
     CHECK(explained_text(state).empty());
 }

@@ -38,13 +38,40 @@ TEST_CASE("app: an overlay of reasons counts them all, the most frequent first")
     const auto overlay = overlay_of(test::document_of(test::glass_ball_scene()), Measure::ended);
     REQUIRE(overlay);
     std::size_t all = 0;
-    for (const auto& [reason, pixels] : overlay->reasons) {
-        CHECK(pixels <= overlay->reasons.front().pixels);
-        all += pixels;
+    for (const OverlayKind& kind : overlay->kinds) {
+        CHECK(kind.pixels <= overlay->kinds.front().pixels);
+        all += kind.pixels;
     }
     CHECK(all == overlay->values.size());
     CHECK(plain_word(Reason::no_intersection) == "no intersection");
     CHECK(overlay->cells.size() == overlay->values.size());
+}
+
+TEST_CASE("app: an overlay compares the depth picture with the shadow rays of a light") {
+    const auto document = test::document_of(test::glass_ball_scene());
+    const std::string light = document->scene().lights.front().name;
+    const OverlayRender render(document, lesson::DepthShown{light, 64, 0});
+    while (!render.stopped()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const auto& overlay = render.overlay();
+    REQUIRE(overlay);
+    CHECK(title_of(*overlay) == "Depth picture beside shadow rays: " + light);
+    const DepthAgreement agreed =
+        agreement(document->world(), 0, DepthPicture(document->world(), 0, 64), 0);
+    const auto pixels = [&](std::string_view name) {
+        const auto kind = std::ranges::find(overlay->kinds, name, &OverlayKind::name);
+        return kind == overlay->kinds.end() ? 0 : kind->pixels;
+    };
+    CHECK(agreed.wrongly_dark > 0);  // without a bias there is acne
+    CHECK(pixels("wrongly dark") == agreed.wrongly_dark);
+    CHECK(pixels("wrongly lit") == agreed.wrongly_lit);
+    CHECK(overlay->cells.size() == overlay->values.size());
+    const OverlayRender none(document, lesson::DepthShown{"sun", 64, 0});
+    while (!none.stopped()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK(none.failure().find("no light 'sun'") != std::string::npos);
 }
 
 TEST_CASE("app: an overlay that is cancelled is none") {
@@ -67,6 +94,16 @@ TEST_CASE("app: one overlay is chosen at a time") {
     CHECK_FALSE(find_command("overlay.none")->on(state));
     run_command(state, "overlay.none");
     CHECK_FALSE(state.look().overlay);
+    run_command(state, "overlay.depth");  // there is no scene whose light could be compared
+    CHECK_FALSE(state.look().depth_overlay);
+    state.show(test::opened(test::glass_ball_scene()));
+    run_command(state, "overlay.rays");
+    run_command(state, "overlay.depth");
+    CHECK(find_command("overlay.depth")->on(state));
+    CHECK(state.explained().depth);
+    CHECK_FALSE(find_command("overlay.rays")->on(state));
+    run_command(state, "overlay.tests");
+    CHECK_FALSE(find_command("overlay.depth")->on(state));
 }
 
 }  // namespace

@@ -8,6 +8,10 @@ namespace raytree::inspector {
 inline bool has_scene(const State& state) { return state.document() != nullptr; }
 inline bool has_tree(const State& state) { return state.tree() != nullptr; }
 
+inline bool has_light(const State& state) {
+    return has_scene(state) && !state.document()->scene().lights.empty();
+}
+
 template <Request request> void ask(State& state, std::string_view) { state.request(request); }
 
 inline constexpr Argument none = Argument::none;

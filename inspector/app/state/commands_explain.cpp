@@ -7,10 +7,6 @@ namespace {
 
 using lesson::HierarchyKind;
 
-bool has_light(const State& state) {
-    return has_scene(state) && !state.document()->scene().lights.empty();
-}
-
 /// The light named; else that of the selected shadow ray; else the first.
 std::string light_of(const State& state, std::string_view name) {
     const auto& lights = state.document()->scene().lights;
@@ -109,6 +105,21 @@ template <bool more> void change_bias(State& state, std::string_view) {
     });
 }
 
+void flip_time(State& state, std::string_view) {
+    const bool on = state.explained().time.has_value();
+    change(state, [&](Explained& explained) {
+        explained.time =
+            on ? std::nullopt : std::optional(measure_time_share(state.document()->world()));
+    });
+}
+void flip_accuracy(State& state, std::string_view) {
+    const bool on = state.explained().accuracy.has_value();
+    change(state, [&](Explained& explained) {
+        explained.accuracy =
+            on ? std::nullopt : std::optional(measure_work_precision(state.document()->scene()));
+    });
+}
+
 void show_nothing(State& state, std::string_view) {
     state.explain([](Explained& explained) { explained = {}; });
 }
@@ -178,6 +189,20 @@ constexpr Command table[] = {
      step<-1>, replays},
     {"explain.step_all", "Explain", "All volumes", "", "Shows all volumes that are looked at.",
      none, step_all, replays},
+    {"explain.time",
+     "Explain",
+     "Where the time goes",
+     "",
+     "Measures which share of the time goes into finding what rays meet.",
+     none,
+     flip_time,
+     has_scene,
+     is_there<&Explained::time>,
+     {},
+     true},
+    {"explain.accuracy", "Explain", "Run time against error", "",
+     "Measures what float, double and the reference arithmetic take, and how far they are off.",
+     none, flip_accuracy, has_scene, is_there<&Explained::accuracy>},
     {"explain.nothing",
      "Explain",
      "Nothing of these",

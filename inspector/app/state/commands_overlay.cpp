@@ -3,16 +3,37 @@
 namespace raytree::inspector {
 namespace {
 
+bool depth_is_shown(const State& state) {
+    return state.look().depth_overlay && state.explained().depth;
+}
+
 template <Measure measure> void show_overlay(State& state, std::string_view) {
-    state.change_look([](Look& look) { look.overlay = measure; });
+    state.change_look([](Look& look) {
+        look.overlay = measure;
+        look.depth_overlay = false;
+    });
 }
 template <Measure measure> bool overlay_is(const State& state) {
-    return state.look().overlay == measure;
+    return !depth_is_shown(state) && state.look().overlay == measure;
 }
 void show_no_overlay(State& state, std::string_view) {
-    state.change_look([](Look& look) { look.overlay.reset(); });
+    state.change_look([](Look& look) {
+        look.overlay.reset();
+        look.depth_overlay = false;
+    });
 }
-bool has_no_overlay(const State& state) { return !state.look().overlay; }
+bool has_no_overlay(const State& state) { return !state.look().overlay && !depth_is_shown(state); }
+
+/// Of the depth picture that is explained, or of one that is begun.
+void show_depth(State& state, std::string_view) {
+    if (!state.explained().depth) {
+        run_command(state, "explain.depth");
+    }
+    state.change_look([](Look& look) {
+        look.overlay.reset();
+        look.depth_overlay = true;
+    });
+}
 
 constexpr Command table[] = {
     {"overlay.none", "Overlay", "None: the picture", "Ctrl+0", "Shows the picture itself.", none,
@@ -29,6 +50,9 @@ constexpr Command table[] = {
     {"overlay.ended", "Overlay", "Why it ended", "Ctrl+5",
      "Shows why the weightiest branch of the tree of each pixel ended.", none,
      show_overlay<Measure::ended>, nullptr, overlay_is<Measure::ended>},
+    {"overlay.depth", "Overlay", "Depth picture beside shadow rays", "Ctrl+6",
+     "Shows where a light's depth picture and its shadow rays differ.", none, show_depth, has_light,
+     depth_is_shown},
 };
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "lesson/lesson.h"
+#include "trace/time_share.h"
+#include "trace/work_precision.h"
 
 namespace raytree::inspector {
 
@@ -15,9 +17,13 @@ struct Explained {
     std::optional<lesson::TraversalShown> traversal;
     std::optional<lesson::VolumesShown> volumes;
     std::optional<lesson::DepthShown> depth;
+    std::optional<TimeShare> time;  ///< where the time goes, as measured when it was asked for
+    std::optional<WorkPrecision> accuracy;  ///< run time against error, likewise
 
     bool operator==(const Explained&) const = default;
-    bool nothing() const { return !z_buffer && !shower && !traversal && !volumes && !depth; }
+    bool nothing() const {
+        return !z_buffer && !shower && !traversal && !volumes && !depth && !time && !accuracy;
+    }
 };
 
 }  // namespace raytree::inspector

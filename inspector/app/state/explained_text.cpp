@@ -35,7 +35,8 @@ Section shower_section(const State& state, const LightShower& sent) {
 Section tests_section(const TraversalReplay& replay) {
     Section section{"Tests for the selected ray", {}, {"", "volumes", "shapes"}, {}, {}};
     for (const HierarchyTests& tests : replay.tests) {
-        section.rows.push_back({{tests.name, count_text(tests.volumes), count_text(tests.shapes)}});
+        section.rows.push_back({{tests.name, tests.volumes ? count_text(*tests.volumes) : "–",
+                                 count_text(tests.shapes)}});
     }
     return section;
 }
@@ -121,7 +122,7 @@ Section volumes_section(const State& state, const Explanation& all) {
 Section depth_section(const State& state, const Explanation& all) {
     const lesson::DepthShown& shown = *state.explained().depth;
     Section section{"What the light sees: " + shown.light, {}, {}, {}, {}};
-    section.depth = true;
+    section.picture = Section::Picture::depth;
     section.rows = {
         {{"depth picture", std::to_string(shown.size) + " × " + std::to_string(shown.size) +
                                (all.depth->sides().size() > 1 ? ", six sides" : "")}},
@@ -142,7 +143,43 @@ Section depth_section(const State& state, const Explanation& all) {
     section.links = {{"finer", "explain.finer"},
                      {"coarser", "explain.coarser"},
                      {"more bias", "explain.more_bias"},
-                     {"less bias", "explain.less_bias"}};
+                     {"less bias", "explain.less_bias"},
+                     state.look().depth_overlay
+                         ? Section::Link{"the picture again", "overlay.none"}
+                         : Section::Link{"beside shadow rays", "overlay.depth"}};
+    return section;
+}
+
+std::string time_text(double seconds) {
+    const auto shown = [](double value, const char* unit) {
+        return number_text(value < 100 ? value : std::round(value)) + unit;
+    };
+    return seconds < 1e-3 ? shown(1e6 * seconds, " µs") : shown(1e3 * seconds, " ms");
+}
+
+Section time_section(const TimeShare& share) {
+    Section section{"Where the time goes", {}, {"", "all", "finding hits"}, {}, {}};
+    const double rest = std::max(0.0, share.all - share.intersection);
+    section.rows = {{{"no hierarchy", time_text(rest + share.brute_force_intersection),
+                      time_text(share.brute_force_intersection)},
+                     true},
+                    {{"hierarchy", time_text(share.all), time_text(share.intersection)}}};
+    section.sentences = {"Measured here and now,",
+                         "over " + count_text(share.rays) + " rays of this picture."};
+    section.picture = Section::Picture::time;
+    return section;
+}
+
+Section accuracy_section(const WorkPrecision& measured) {
+    Section section{"Run time against error", {}, {"", "time a pixel", "error"}, {}, {}};
+    for (const WorkPoint& point : measured.arithmetics) {
+        section.rows.push_back({{point.label, time_text(point.seconds),
+                                 point.error > 0 ? number_text(point.error) : "exact"}});
+    }
+    section.sentences = {"Error of the pixels' intensities, root mean square over " +
+                             count_text(measured.pixels) + " pixels; 1 is white.",
+                         "Line: in double, with fewer levels."};
+    section.picture = Section::Picture::accuracy;
     return section;
 }
 
@@ -187,6 +224,12 @@ std::vector<ExplainedSection> explained_text(const State& state) {
     }
     if (all.depth) {
         sections.push_back(depth_section(state, all));
+    }
+    if (state.explained().time) {
+        sections.push_back(time_section(*state.explained().time));
+    }
+    if (state.explained().accuracy) {
+        sections.push_back(accuracy_section(*state.explained().accuracy));
     }
     return sections;
 }

@@ -9,6 +9,7 @@ namespace raytree::inspector {
 
 /// What a feature says in words and numbers.
 struct ExplainedSection {
+    enum class Picture { none, depth, time, accuracy };
     struct Row {
         std::vector<std::string> cells;
         bool strong = false;  ///< what counts in the end, or what is shown just now
@@ -22,8 +23,8 @@ struct ExplainedSection {
     std::vector<std::string> sentences;
     std::vector<std::string> header;  ///< of the columns
     std::vector<Row> rows;
-    std::vector<Link> links;  ///< commands that fit here
-    bool depth = false;       ///< the light's depth picture belongs beside it
+    std::vector<Link> links;          ///< commands that fit here
+    Picture picture = Picture::none;  ///< that belongs beside it
 };
 
 /// A section for each feature that is shown.

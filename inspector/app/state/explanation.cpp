@@ -62,7 +62,7 @@ TraversalReplay replay_of(const Document& document, const ListedRay<double>& ray
     }
     TestCount count;
     document.world().shapes.closest(ray.ray, ray.leaving, ray.interval, count);
-    replay.tests.push_back({"production", 0, count.tests});
+    replay.tests.push_back({"production", std::nullopt, count.tests});
     return replay;
 }
 

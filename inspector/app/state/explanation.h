@@ -22,7 +22,8 @@ namespace raytree::inspector {
 /// What one hierarchy takes for the nearest hit of the selected ray.
 struct HierarchyTests {
     std::string name;
-    std::size_t volumes = 0, shapes = 0;
+    std::optional<std::size_t> volumes;  ///< none: they are not tested one by one
+    std::size_t shapes = 0;
 };
 
 struct TraversalReplay {

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "lesson/features.h"
 #include "lesson/lesson_folder.h"
 #include "tree/explain.h"
 
@@ -89,6 +90,11 @@ std::size_t LessonRun::ray() const {
     return in_step(lesson(), here(), [&] { return play_.ray(step_); });
 }
 
+TimeShare LessonRun::time_share() const { return lesson::time_share_of(*play_.world(step_)); }
+WorkPrecision LessonRun::work_precision() const {
+    return lesson::work_precision_of(*play_.world(step_));
+}
+
 const lesson::Ask& LessonRun::ask() const {
     if (!here().ask) {
         throw InputError("", "answer", "this step asks nothing");
@@ -116,6 +122,10 @@ void LessonRun::give(const Json& answer) {
                            judged.right, judged.hint,      judged.after};
         return true;
     });
+}
+
+Json LessonRun::right_answer() const {
+    return in_step(lesson(), here(), [&] { return play_.right_answer(step_); });
 }
 
 void LessonRun::tell() {

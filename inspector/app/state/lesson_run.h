@@ -9,6 +9,8 @@
 
 #include "lesson/play.h"
 #include "state/document.h"
+#include "trace/time_share.h"
+#include "trace/work_precision.h"
 
 namespace raytree::inspector {
 
@@ -47,6 +49,9 @@ class LessonRun {
     void go_to(std::size_t step);
     /// The scene of the step; the same document for steps that show the same.
     std::shared_ptr<const Document> document();
+    /// Measured once for each scene: what the texts say of it.
+    TimeShare time_share() const;
+    WorkPrecision work_precision() const;
     /// The ray that the step selects. Throws InputError.
     std::size_t ray() const;
 
@@ -55,6 +60,8 @@ class LessonRun {
     /// Reads an answer: a number; an option's letter; a pixel I,J; a ray's number. Throws
     /// InputError.
     Json answer_from(std::string_view text) const;
+    /// An answer that is right, in the form that `give` takes. Throws InputError.
+    Json right_answer() const;
     /// The right answer instead of one's own.
     void tell();
     void forget_answer() { answers_.erase(step_); }

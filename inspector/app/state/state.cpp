@@ -34,6 +34,7 @@ void State::show(const Opened& opened) {
         notes_ += (notes_.empty() ? "" : "  ") + note;
     }
     message_ = notes_;
+    forget_measured();
     if (opened.recorded) {
         against_ = Against{Contrast::What::file, pixel_, nullptr, opened.recorded, false};
         side_pane_ = SidePane::compare;
@@ -80,6 +81,7 @@ void State::pick(Pixel pixel, Pick how) {
     const Camera& camera = document_->scene().camera;
     pixel = {std::clamp(pixel.i, 0, camera.width - 1), std::clamp(pixel.j, 0, camera.height - 1)};
     if (pixel == pixel_ && tree_) {
+        answer_by_pixel();
         return;
     }
     if (pixel != pixel_) {
@@ -190,12 +192,15 @@ void State::poll(std::chrono::milliseconds patience) {
 }
 
 void State::select(std::size_t ray) {
-    if (tree_ && ray < tree_->tree.rays.size() && (ray != selected_ || thing_)) {
+    if (!tree_ || ray >= tree_->tree.rays.size()) {
+        return;
+    }
+    if (ray != selected_ || thing_) {
         selected_ = ray;
         thing_.reset();
         tell({.selection = true});
-        answer_by_ray();
     }
+    answer_by_ray();
 }
 
 void State::select(std::optional<Thing> thing) {

@@ -34,8 +34,11 @@ struct Look {
     bool ghosts = true;              ///< whether rays that were not sent are shown
     bool angles = true;              ///< whether those at the selected hit are drawn
     std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
-    bool names = true;               ///< whether things in the 3D view bear their names
-    bool bounds = false;             ///< whether numbers are shown with their error bounds
+    /// There instead, while a light's depth picture is explained: where it differs from shadow
+    /// rays.
+    bool depth_overlay = false;
+    bool names = true;    ///< whether things in the 3D view bear their names
+    bool bounds = false;  ///< whether numbers are shown with their error bounds
     Neighbours neighbours = Neighbours::none;  ///< pixels whose trees the 3D view shows as well
 };
 
@@ -228,6 +231,8 @@ class State {
     void ask_again();
     /// Shows the scene with the value that the question is about.
     void try_value(double value);
+    /// The value that is shown of the member that the question is about.
+    double value_tried() const;
 
     const Explained& explained() const { return explained_; }
     void explain(const std::function<void(Explained&)>& change);
@@ -237,6 +242,9 @@ class State {
   private:
     void stage(const lesson::Show& show);
     void step_up_to(std::size_t last);
+    Explained explained_by(const lesson::Show& show) const;
+    bool forget_measured();
+    void show_answer(const Json& answer);
     void take_view(const lesson::View& view);
     void exchange(std::shared_ptr<const Document> document);
     void answer_by_pixel();
@@ -293,7 +301,8 @@ class State {
     std::unique_ptr<LessonRun> lesson_;
     LessonSide lesson_side_ = LessonSide::hidden;
     std::filesystem::path lesson_folder_;
-    bool staging_ = false;  ///< the views are being set as a step wants them
+    bool staging_ = false;         ///< the views are being set as a step wants them
+    std::optional<double> tried_;  ///< instead of the step's own value
     Explained explained_;
     std::unique_ptr<Explainer> explainer_ = std::make_unique<Explainer>();
     std::vector<Observer> observers_;

@@ -31,6 +31,7 @@ void State::take_coming(std::shared_ptr<const Document> document, Changes& chang
     coming_.reset();
     playback_.reset();
     playing_ = false;
+    changes.explained |= forget_measured();
 }
 
 void State::undo() {

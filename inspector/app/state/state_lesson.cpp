@@ -35,16 +35,13 @@ ShapeStyle style_of(lesson::ShapeLook look) {
 void take_look(Look& look, const lesson::Show& show) {
     look.shapes = style_of(show.shapes);
     look.overlay = show.overlay;
+    look.depth_overlay = show.depth_overlay;
     look.filter = {};
     look.angles = !show.hide_angles;
     look.ghosts = !show.hide_unsent;
     for (const RayKind kind : show.hide) {
         look.filter.set(group_of(kind), Shown::hidden);
     }
-}
-
-Explained explained_by(const lesson::Show& show) {
-    return {show.eye_space, show.z_buffer, show.shower, show.traversal, show.volumes, show.depth};
 }
 
 /// The tab of the tree's pane that a step wants in front.
@@ -61,7 +58,12 @@ TreePane::Tab tab_of(const lesson::Show& show, TreePane::Tab now) {
     if (show.panel == lesson::Panel::explained) {
         return TreePane::Tab::explained;
     }
-    return explained_by(show).nothing() ? now : TreePane::Tab::explained;
+    const bool explains = show.z_buffer || show.shower || show.traversal || show.volumes ||
+                          show.depth || show.time || show.accuracy;
+    if (explains) {
+        return TreePane::Tab::explained;
+    }
+    return now == TreePane::Tab::explained ? TreePane::Tab::outline : now;  // it would be empty
 }
 
 }  // namespace
@@ -98,6 +100,7 @@ void State::show_lesson_view() {
     }
     const lesson::Show& show = lesson_->here().show;
     staging_ = true;
+    tried_.reset();
     try {
         stage(show);
     } catch (const InputError& error) {
@@ -105,6 +108,26 @@ void State::show_lesson_view() {
     }
     staging_ = false;
     tell({.message = true, .lesson = true});
+}
+
+/// What is measured is what the step's text says of it.
+Explained State::explained_by(const lesson::Show& show) const {
+    return {show.eye_space,
+            show.z_buffer,
+            show.shower,
+            show.traversal,
+            show.volumes,
+            show.depth,
+            show.time ? std::optional(lesson_->time_share()) : std::nullopt,
+            show.accuracy ? std::optional(lesson_->work_precision()) : std::nullopt};
+}
+
+/// It was measured of another scene. Whether there was something.
+bool State::forget_measured() {
+    const bool measured = explained_.time || explained_.accuracy;
+    explained_.time.reset();
+    explained_.accuracy.reset();
+    return measured;
 }
 
 /// The views as the step wants them.
@@ -154,6 +177,9 @@ void State::take_view(const lesson::View& view) {
 void State::give_answer(const Json& answer) {
     if (lesson_) {
         lesson_->give(answer);
+        if (lesson_->here().ask->kind == AskKind::value) {
+            try_value(answer.get<double>());
+        }
         tell({.lesson = true});
     }
 }
@@ -163,7 +189,24 @@ void State::tell_answer() {
         return;
     }
     lesson_->tell();
+    staging_ = true;  // to show it is no answer
+    show_answer(lesson_->right_answer());
+    staging_ = false;
     tell({.lesson = true});
+}
+
+/// What a click or the slider would do.
+void State::show_answer(const Json& answer) {
+    switch (lesson_->here().ask->kind) {
+        case AskKind::pixel:
+            return pick({answer[0].get<int>(), answer[1].get<int>()});
+        case AskKind::ray:
+            return select(answer.get<std::size_t>());
+        case AskKind::value:
+            return try_value(answer.get<double>());
+        default:
+            return;
+    }
 }
 
 void State::ask_again() {
@@ -175,9 +218,14 @@ void State::ask_again() {
 
 void State::try_value(double value) {
     if (lesson_ && lesson_->here().ask && lesson_->here().ask->kind == AskKind::value) {
-        exchange(lesson_->document_with(value));
+        if (value != value_tried()) {
+            exchange(lesson_->document_with(value));
+            tried_ = value;
+        }
     }
 }
+
+double State::value_tried() const { return tried_.value_or(lesson_->value_shown()); }
 
 /// Another document in the place of this one, seen in the same way.
 void State::exchange(std::shared_ptr<const Document> document) {

@@ -1,62 +1,28 @@
 #include "window/explained_pane.h"
 
-#include <QFontDatabase>
 #include <QScrollBar>
-#include <algorithm>
-#include <cmath>
 
 #include "state/commands.h"
 #include "state/explained_text.h"
+#include "window/explained_pictures.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
 namespace {
 
-constexpr int image_side = 190;  // pixels that the depth picture takes at least
-
-/// Near is light, far is dark; where the light sees nothing there is the palette's rule.
-QImage image_of(const DepthPicture& picture, const std::optional<DepthComparison>& chosen,
-                const Palette& palette) {
-    const std::size_t side = chosen ? chosen->place.side : 0;
-    const int size = picture.size();
-    double near = 1e300, far = 0;
-    const auto depth = [&](int i, int j) { return picture.depth({side, i, j}); };
-    for (int j = 0; j < size; ++j) {
-        for (int i = 0; i < size; ++i) {
-            if (std::isfinite(depth(i, j))) {
-                near = std::min(near, depth(i, j));
-                far = std::max(far, depth(i, j));
-            }
-        }
-    }
-    QImage image(size, size, QImage::Format_RGB32);
-    for (int j = 0; j < size; ++j) {
-        for (int i = 0; i < size; ++i) {
-            const double share =
-                far > near ? std::clamp((depth(i, j) - near) / (far - near), 0.0, 1.0) : 0;
-            const int grey = static_cast<int>(245 - 190 * share);
-            const QColor colour =
-                std::isfinite(depth(i, j)) ? QColor(grey, grey, grey) : qt(palette.space_top);
-            image.setPixelColor(i, j, colour);
-        }
-    }
-    if (chosen) {
-        image.setPixelColor(chosen->place.i, chosen->place.j, qt(palette.selection));
-    }
-    return image.scaled(std::max(image_side, size), std::max(image_side, size));
-}
-
 QString table_of(const ExplainedSection& section, const Palette& palette) {
     const QString dim = qt(palette.dim_text).name();
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
-    const auto row = [&](const std::vector<std::string>& cells, const QString& style) {
+    const auto row = [&](const std::vector<std::string>& cells, const QString& style,
+                         const char* anchor = "") {
         html += QStringLiteral("<tr>");
         for (const std::string& cell : cells) {
             constexpr std::size_t long_words = 34;
             html += QStringLiteral("<td style='padding-right:16px; %1%2'>%3</td>")
                         .arg(cell.size() > long_words ? QString()
                                                       : QStringLiteral("white-space:nowrap; "),
-                             style, qt(cell).toHtmlEscaped());
+                             style, QLatin1String(anchor) + qt(cell).toHtmlEscaped());
+            anchor = "";
         }
         html += QStringLiteral("</tr>");
     };
@@ -64,11 +30,12 @@ QString table_of(const ExplainedSection& section, const Palette& palette) {
         row(section.header, QStringLiteral("color:") + dim);
     }
     for (const ExplainedSection::Row& line : section.rows) {
-        row(line.cells, line.strong
-                            ? QStringLiteral("font-weight:bold; background-color:%1")
-                                  .arg(qt(mixed(palette.panel, palette.accent, 0.12)).name())
-                        : line.faint ? QStringLiteral("color:") + dim
-                                     : QString());
+        row(line.cells,
+            line.strong ? QStringLiteral("font-weight:bold; background-color:%1")
+                              .arg(qt(mixed(palette.panel, palette.accent, 0.12)).name())
+            : line.faint ? QStringLiteral("color:") + dim
+                         : QString(),
+            line.strong ? "<a name='now'></a>" : "");
     }
     return html + QStringLiteral("</table>");
 }
@@ -110,7 +77,7 @@ void ExplainedPane::showEvent(QShowEvent* event) {
 
 /// Sections beside each other; the light's depth picture before its numbers.
 void ExplainedPane::renew() {
-    shown_width_ = width();
+    shown_size_ = size();
     const Palette& palette = palette_of(state_.look().theme);
     const auto sections = explained_text(state_);
     if (sections.empty()) {
@@ -127,6 +94,9 @@ void ExplainedPane::renew() {
     if (document()->idealWidth() > viewport()->width()) {
         setHtml(html_of(sections, true));
     }
+    if (state_.explained().traversal) {
+        scrollToAnchor(QStringLiteral("now"));
+    }
 }
 
 QString ExplainedPane::html_of(const std::vector<ExplainedSection>& sections, bool below) {
@@ -135,26 +105,45 @@ QString ExplainedPane::html_of(const std::vector<ExplainedSection>& sections, bo
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='0'><tr>");
     for (const ExplainedSection& section : sections) {
         html += QStringLiteral("<td style='padding-right:26px; padding-bottom:9px'>");
-        if (section.depth) {
-            document()->addResource(
-                QTextDocument::ImageResource, QUrl(QStringLiteral("depth")),
-                image_of(*state_.explanation().depth, state_.explanation().comparison, palette));
+        if (section.picture == ExplainedSection::Picture::none) {
+            html += inspector::html_of(section, palette);
+        } else {
+            const QString name = QStringLiteral("picture%1").arg(static_cast<int>(section.picture));
+            document()->addResource(QTextDocument::ImageResource, QUrl(name),
+                                    picture_of(section.picture));
             html += QStringLiteral(
                         "<table cellspacing='0' cellpadding='0'><tr>"
-                        "<td style='padding-right:14px'><img src='depth'/></td><td>%1</td>"
+                        "<td style='padding-right:14px'><img src='%1'/></td><td>%2</td>"
                         "</tr></table>")
-                        .arg(inspector::html_of(section, palette));
-        } else {
-            html += inspector::html_of(section, palette);
+                        .arg(name, inspector::html_of(section, palette));
         }
         html += QStringLiteral("</td>") + between;
     }
     return html + QStringLiteral("</tr></table>");
 }
 
+/// As large as there is room for beside the numbers, so that it is seen whole.
+QImage ExplainedPane::picture_of(ExplainedSection::Picture picture) const {
+    constexpr int least = 150, most = 420, margins = 48, numbers = 330;
+    const int height = std::clamp(viewport()->height() - margins, least, most);
+    const int width = std::clamp(viewport()->width() - numbers, 2 * least, 2 * most);
+    const Palette& palette = palette_of(state_.look().theme);
+    switch (picture) {
+        case ExplainedSection::Picture::time:
+            return time_picture(*state_.explained().time, width, palette);
+        case ExplainedSection::Picture::accuracy:
+            return accuracy_picture(*state_.explained().accuracy,
+                                    {std::min(width, 2 * height), height}, palette);
+        default: {
+            const Explanation& all = state_.explanation();
+            return depth_picture(*all.depth, all.comparison, height, palette);
+        }
+    }
+}
+
 void ExplainedPane::resizeEvent(QResizeEvent* event) {
     QTextBrowser::resizeEvent(event);
-    if (isVisible() && width() != shown_width_) {  // else a scroll bar has come or gone
+    if (isVisible() && size() != shown_size_) {  // else a scroll bar has come or gone
         renew();
     }
 }

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <QImage>
 #include <QTextBrowser>
 
 #include "state/explained_text.h"
 
 namespace raytree::inspector {
 
-/// What the features shown say in words and numbers, and the light's depth picture.
+/// What the features shown say in words and numbers, with the pictures that belong to them.
 class ExplainedPane : public QTextBrowser {
     Q_OBJECT
 
@@ -20,9 +21,10 @@ class ExplainedPane : public QTextBrowser {
   private:
     void renew();
     QString html_of(const std::vector<ExplainedSection>& sections, bool below);
+    QImage picture_of(ExplainedSection::Picture picture) const;
 
     State& state_;
-    int shown_width_ = 0;  ///< for which the text has been laid out
+    QSize shown_size_;  ///< for which the text has been laid out
 };
 
 }  // namespace raytree::inspector

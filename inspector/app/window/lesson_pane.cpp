@@ -1,10 +1,12 @@
 #include "window/lesson_pane.h"
 
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTextBrowser>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "lesson/lesson_folder.h"
@@ -151,12 +153,28 @@ void LessonPane::show_step() {
     const bool last = step_ + 1 == run->count();
     next_->setText(last ? QStringLiteral("Next lesson ▸") : QStringLiteral("Next ▸"));
     bar_->update();
+    const bool answered = run->answer() != nullptr;
     if (turned) {
         question_->renew();
         scroll_->verticalScrollBar()->setValue(0);
     } else {
         question_->refresh();
+        if (answered && !answered_) {
+            scroll_to_verdict();
+        }
     }
+    answered_ = answered;
+}
+
+/// Once it has its place.
+void LessonPane::scroll_to_verdict() {
+    QTimer::singleShot(0, this, [this] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        if (QWidget* const verdict = question_->verdict()) {
+            constexpr int margin = 12;
+            scroll_->ensureWidgetVisible(verdict, 0, margin);
+        }
+    });
 }
 
 }  // namespace raytree::inspector

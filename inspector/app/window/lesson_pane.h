@@ -28,6 +28,7 @@ class LessonPane : public QStackedWidget {
     void obey(const Changes& changes);
     void show_list();
     void show_step();
+    void scroll_to_verdict();
 
     State& state_;
     QuestionBox::Run run_;
@@ -39,6 +40,7 @@ class LessonPane : public QStackedWidget {
     QPushButton *back_ = nullptr, *next_ = nullptr;
     const LessonRun* shown_ = nullptr;  ///< of whose step the pane was built
     std::size_t step_ = 0;
+    bool answered_ = false;  ///< whether its question has been
 };
 
 }  // namespace raytree::inspector

@@ -12,6 +12,7 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "state/commands.h"
 #include "state/details.h"
@@ -128,7 +129,9 @@ void MainWindow::add_lesson_dock() {
 /// The lesson's pane, and a frame around the one that its step talks about.
 void MainWindow::show_lesson() {
     const bool shown = state_.lesson_side() != LessonSide::hidden;
-    if (lesson_dock_->isVisibleTo(this) != shown) {
+    const bool overlaid = state_.look().overlay || state_.look().depth_overlay;
+    const bool other_needs = shown && overlaid != std::exchange(overlaid_, overlaid);
+    if (lesson_dock_->isVisibleTo(this) != shown || other_needs) {
         lesson_dock_->setVisible(shown);
         share_room();
     }
@@ -209,7 +212,9 @@ void MainWindow::share_room() {
     tall_tree_ = state_.tree_pane().tall;
     const int below = tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
                                  : std::clamp(static_cast<int>(height() * 0.36), 160, 480);
-    const int picture = std::min(left * 3 / 4 + 50, static_cast<int>(height() * 0.5));
+    constexpr int legend = 90;  // of an overlay, below the picture
+    const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend : 0),
+                                 static_cast<int>(height() * (overlaid_ ? 0.55 : 0.5)));
     resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
     resizeDocks({tree_dock_}, {below}, Qt::Vertical);
     resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);

@@ -37,6 +37,9 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     });
     connect(header(), &QWidget::customContextMenuRequested, this,
             [this](QPoint at) { choose_columns(header()->mapToGlobal(at)); });
+    connect(this, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        state_.select(model_->row(index).ray);  // the current row's, too: it may be an answer
+    });
     show_columns();
     state_.observe([this](const Changes& changes) { obey(changes); });
 }

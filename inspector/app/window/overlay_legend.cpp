@@ -9,7 +9,7 @@ namespace raytree::inspector {
 namespace {
 
 constexpr int margin = 8, bar_height = 10;
-constexpr int swatch_room = 19, share_room = 14;  // before and after a reason's word
+constexpr int swatch_room = 19, share_room = 14;  // before and after a kind's name
 
 QColor colour_of(const Colour8& c) { return {c[0], c[1], c[2]}; }
 
@@ -27,14 +27,14 @@ OverlayLegend::OverlayLegend(State& state, PictureFeed& feed, QWidget* parent)
     hide();
     connect(&feed_, &PictureFeed::updated, this, &OverlayLegend::renew);
     state_.observe([this](const Changes& changes) {
-        if (changes.look || changes.tree || changes.document) {
+        if (changes.look || changes.explained || changes.tree || changes.document) {
             renew();
         }
     });
 }
 
 void OverlayLegend::renew() {
-    setVisible(state_.look().overlay.has_value());
+    setVisible(feed_.overlaid());
     updateGeometry();
     update();
 }
@@ -43,21 +43,21 @@ int OverlayLegend::line() const { return fontMetrics().height() + 2; }
 
 QSize OverlayLegend::sizeHint() const {
     const auto& overlay = feed_.overlay();
-    const bool reasons = overlay && overlay->measure == Measure::ended;
-    const int columns = reasons ? reason_columns(*overlay) : 1;
-    const int count = reasons ? static_cast<int>(overlay->reasons.size()) : 0;
-    const int body = reasons ? line() * ((count + columns - 1) / columns) : bar_height + 6 + line();
+    const bool kinds = overlay && !overlay->kinds.empty();
+    const int columns = kinds ? kind_columns(*overlay) : 1;
+    const int count = kinds ? static_cast<int>(overlay->kinds.size()) : 0;
+    const int body = kinds ? line() * ((count + columns - 1) / columns) : bar_height + 6 + line();
     return {200, margin + line() + 4 + body + margin / 2};
 }
 
 void OverlayLegend::resizeEvent(QResizeEvent*) { updateGeometry(); }
 
-int OverlayLegend::reason_columns(const Overlay& overlay) const {
+int OverlayLegend::kind_columns(const Overlay& overlay) const {
     int widest = 0;
-    for (const auto& [reason, pixels] : overlay.reasons) {
-        widest = std::max(
-            widest, fontMetrics().horizontalAdvance(qt(plain_word(reason))) +
-                        fontMetrics().horizontalAdvance(percent(pixels, overlay.values.size())));
+    for (const OverlayKind& kind : overlay.kinds) {
+        widest = std::max(widest, fontMetrics().horizontalAdvance(qt(kind.name)) +
+                                      fontMetrics().horizontalAdvance(
+                                          percent(kind.pixels, overlay.values.size())));
     }
     return 2 * (widest + swatch_room + share_room) <= width() - 2 * margin ? 2 : 1;
 }
@@ -80,11 +80,8 @@ void OverlayLegend::paintEvent(QPaintEvent*) {
                              .arg(static_cast<int>(100 * feed_.overlay_share())));
         return;
     }
-    QString text = qt(text_of(overlay->measure));
-    text[0] = text[0].toUpper();
-    draw_title(text);
-    overlay->measure == Measure::ended ? draw_reasons(painter, *overlay)
-                                       : draw_scale(painter, *overlay);
+    draw_title(qt(title_of(*overlay)));
+    overlay->kinds.empty() ? draw_scale(painter, *overlay) : draw_kinds(painter, *overlay);
 }
 
 /// A bar from the least value to the most, and under it a mark with the chosen pixel's value.
@@ -109,9 +106,9 @@ void OverlayLegend::draw_scale(QPainter& painter, const Overlay& overlay) const 
     painter.drawPolygon(QPolygonF({{x, y - 3}, {x - 5, y + 5}, {x + 5, y + 5}}));
 
     const QRect below(bar.left(), bar.bottom() + 6, bar.width(), line());
-    const QString least = qt(measured_text(range.least, overlay.measure));
+    const QString least = qt(amount_text(overlay, range.least));
     const QString most = (range.beyond > range.most ? QStringLiteral("≥ ") : QString()) +
-                         qt(measured_text(range.most, overlay.measure));
+                         qt(amount_text(overlay, range.most));
     const QString here = QStringLiteral("this pixel: ") + qt(value_text(overlay, state_.pixel()));
     painter.setPen(qt(palette.dim_text));
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, least);
@@ -120,30 +117,30 @@ void OverlayLegend::draw_scale(QPainter& painter, const Overlay& overlay) const 
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, here);
 }
 
-/// The most frequent reason first; the chosen pixel's has a frame.
-void OverlayLegend::draw_reasons(QPainter& painter, const Overlay& overlay) const {
+/// The most frequent kind first; the chosen pixel's has a frame.
+void OverlayLegend::draw_kinds(QPainter& painter, const Overlay& overlay) const {
     const Palette& palette = palette_of(state_.look().theme);
-    const int columns = reason_columns(overlay);
+    const int columns = kind_columns(overlay);
     const int column = (width() - 2 * margin) / columns;
-    const auto chosen = static_cast<Reason>(overlay.at(state_.pixel()));
-    for (std::size_t k = 0; k < overlay.reasons.size(); ++k) {
-        const auto& [reason, pixels] = overlay.reasons[k];
+    const OverlayKind* const chosen = overlay.kind_at(state_.pixel());
+    for (std::size_t k = 0; k < overlay.kinds.size(); ++k) {
+        const OverlayKind& kind = overlay.kinds[k];
         const int place = static_cast<int>(k);
         const QRect row(margin + place % columns * column,
                         margin + line() * (1 + place / columns) + 4, column - 6, line());
         const QRect swatch(row.left() + 3, row.top() + (row.height() - 10) / 2, 10, 10);
-        painter.fillRect(swatch, colour_of(reason_colour(reason)));
-        if (reason == chosen) {
+        painter.fillRect(swatch, colour_of(kind.colour));
+        if (&kind == chosen) {
             painter.setPen(QPen(qt(palette.text), 1.2));
             painter.setBrush(Qt::NoBrush);
             painter.drawRoundedRect(QRectF(row).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
         }
-        const QString share = percent(pixels, overlay.values.size());
+        const QString share = percent(kind.pixels, overlay.values.size());
         const int room =
             row.width() - swatch_room - fontMetrics().horizontalAdvance(share) - share_room + 6;
         painter.setPen(qt(palette.text));
         painter.drawText(row.adjusted(swatch_room, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                         fontMetrics().elidedText(qt(plain_word(reason)), Qt::ElideRight, room));
+                         fontMetrics().elidedText(qt(kind.name), Qt::ElideRight, room));
         painter.setPen(qt(palette.dim_text));
         painter.drawText(row.adjusted(0, 0, -5, 0), Qt::AlignRight | Qt::AlignVCenter, share);
     }

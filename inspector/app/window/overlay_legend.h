@@ -6,7 +6,7 @@
 
 namespace raytree::inspector {
 
-/// What the overlay's colours mean: a scale or the reasons, with the chosen pixel's value marked.
+/// What the overlay's colours mean: a scale or the kinds, with the chosen pixel's value marked.
 /// Hidden where the picture itself is shown.
 class OverlayLegend : public QWidget {
     Q_OBJECT
@@ -24,9 +24,9 @@ class OverlayLegend : public QWidget {
     void renew();
     int line() const;
     /// As many as their words leave room for.
-    int reason_columns(const Overlay& overlay) const;
+    int kind_columns(const Overlay& overlay) const;
     void draw_scale(QPainter& painter, const Overlay& overlay) const;
-    void draw_reasons(QPainter& painter, const Overlay& overlay) const;
+    void draw_kinds(QPainter& painter, const Overlay& overlay) const;
 
     State& state_;
     PictureFeed& feed_;

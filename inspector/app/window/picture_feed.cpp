@@ -1,6 +1,17 @@
 #include "window/picture_feed.h"
 
 namespace raytree::inspector {
+namespace {
+
+/// The overlay that is asked for.
+std::optional<OverlayOf> asked(const State& state) {
+    if (state.look().depth_overlay && state.explained().depth) {
+        return *state.explained().depth;
+    }
+    return state.look().overlay ? std::optional<OverlayOf>(*state.look().overlay) : std::nullopt;
+}
+
+}  // namespace
 
 PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state_(state) {
     timer_.setInterval(60);
@@ -10,7 +21,7 @@ PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state
             restart();
         }
         if (changes.document || changes.values ||
-            (changes.look && state_.look().overlay != measure_)) {
+            ((changes.look || changes.explained) && asked(state_) != measure_)) {
             measure();
         }
     });
@@ -38,7 +49,7 @@ void PictureFeed::measure() {
         measuring_->cancel();
         ending_overlays_.push_back(std::move(measuring_));
     }
-    measure_ = state_.look().overlay;
+    measure_ = asked(state_);
     overlay_.reset();
     overlay_failed_ = false;
     if (measure_ && state_.document()) {

@@ -26,6 +26,8 @@ class PictureFeed : public QObject {
     std::optional<Rgb<double>> intensity(Pixel pixel) const;
     /// The overlay that is asked for; null until it has come.
     const std::shared_ptr<const Overlay>& overlay() const { return overlay_; }
+    /// Whether one is asked for.
+    bool overlaid() const { return measure_.has_value(); }
     double overlay_share() const { return measuring_ ? measuring_->share() : 0; }
     bool overlay_failed() const { return overlay_failed_; }
 
@@ -44,7 +46,7 @@ class PictureFeed : public QObject {
     std::unique_ptr<OverlayRender> measuring_;            ///< null when it is done
     std::vector<std::unique_ptr<OverlayRender>> ending_overlays_;
     std::shared_ptr<const Overlay> overlay_;
-    std::optional<Measure> measure_;  ///< of what overlay_ is or will be
+    std::optional<OverlayOf> measure_;  ///< of what overlay_ is or will be
     bool overlay_failed_ = false;
     ShownPicture picture_;
     std::uint64_t version_ = 0;

@@ -184,8 +184,8 @@ QString PicturePane::value_in(Pixel pixel, bool* bright) const {
         return {};
     }
     if (const auto& overlay = feed_.overlay()) {
-        const auto [r, g, b] = map_colour(overlay->at(pixel), overlay->measure, overlay->range);
-        *bright = is_bright(r, g, b);
+        const QRgb colour = overlay->cells[overlay->place_of(pixel)];
+        *bright = is_bright(qRed(colour), qGreen(colour), qBlue(colour));
         return qt(value_text(*overlay, pixel));
     }
     const auto intensity = feed_.intensity(pixel);

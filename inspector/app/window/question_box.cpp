@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "state/details.h"
 #include "window/choice_button.h"
 #include "window/lesson_html.h"
 #include "window/qt_text.h"
@@ -32,6 +31,8 @@ QuestionBox::QuestionBox(State& state, Run run, QWidget* parent)
     connect(&trying_, &QTimer::timeout, this, [this] { state_.try_value(tried_); });
 }
 
+QWidget* QuestionBox::verdict() const { return result_; }
+
 QLabel* QuestionBox::add_text(QVBoxLayout* rows, const QString& html) {
     auto* const label = new QLabel(html);
     label->setTextFormat(Qt::RichText);
@@ -53,8 +54,10 @@ void QuestionBox::renew() {
     trying_.stop();
     delete content_;
     content_ = nullptr;
-    result_ = picked_ = nullptr;
-    take_ = tell_ = again_ = nullptr;
+    result_ = nullptr;
+    tell_ = again_ = nullptr;
+    slider_ = nullptr;
+    field_ = nullptr;
     const LessonRun* const run = state_.lesson();
     setVisible(run && run->here().ask);
     if (!run || !run->here().ask) {
@@ -136,82 +139,76 @@ void QuestionBox::add_choices(QVBoxLayout* rows) {
 
 void QuestionBox::add_picker(QVBoxLayout* rows) {
     const bool pixel = state_.lesson()->here().ask->kind == AskKind::pixel;
-    picked_ = add_text(rows, {});
-    take_ = new QPushButton;
-    connect(take_, &QPushButton::clicked, this, [this, pixel] {
-        answer(pixel ? text_of(state_.pixel())
-                     : std::to_string(state_.selected() ? state_.selected()->id : 0));
-    });
-    rows->addWidget(take_, 0, Qt::AlignLeft);
+    add_text(rows, pixel ? QStringLiteral("<i>Click it in the picture.</i>")
+                         : QStringLiteral("<i>Click it in any view.</i>"));
 }
 
 void QuestionBox::add_value(QVBoxLayout* rows) {
     const lesson::Ask& ask = *state_.lesson()->here().ask;
-    auto* const slider = new QSlider(Qt::Horizontal);
-    auto* const field = new QDoubleSpinBox;
+    slider_ = new QSlider(Qt::Horizontal);
+    field_ = new QDoubleSpinBox;
     const int steps = ask.whole ? static_cast<int>(ask.to - ask.from) : slider_steps;
     const double each = (ask.to - ask.from) / std::max(steps, 1);
-    slider->setRange(0, steps);
-    field->setRange(ask.from, ask.to);
-    field->setDecimals(ask.whole ? 0 : std::max(2, 2 - static_cast<int>(std::log10(each))));
-    field->setSingleStep(each);
-    field->setSuffix(qt(ask.unit));
-    const double now = std::clamp(state_.lesson()->value_shown(), ask.from, ask.to);
-    field->setValue(now);
-    slider->setValue(static_cast<int>(std::lround((now - ask.from) / each)));
-    const auto attempt = [this](double value) {
+    slider_->setRange(0, steps);
+    field_->setRange(ask.from, ask.to);
+    field_->setDecimals(ask.whole ? 0 : std::max(2, 2 - static_cast<int>(std::log10(each))));
+    field_->setSingleStep(each);
+    field_->setSuffix(qt(ask.unit));
+    connect(slider_, &QSlider::valueChanged, field_,
+            [field = field_, each, from = ask.from](int at) { field->setValue(from + each * at); });
+    connect(field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+        move_slider(value);
         tried_ = value;
         trying_.start();
-    };
-    connect(slider, &QSlider::valueChanged, field, [field, slider, each, from = ask.from](int at) {
-        if (slider->hasFocus() || slider->isSliderDown()) {
-            field->setValue(from + each * at);
-        }
     });
-    connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-            [slider, attempt, each, from = ask.from](double value) {
-                slider->setValue(static_cast<int>(std::lround((value - from) / each)));
-                attempt(value);
-            });
     auto* const button = new QPushButton(QStringLiteral("Answer"));
     connect(button, &QPushButton::clicked, this,
-            [this, field] { answer(QString::number(field->value(), 'g', 15).toStdString()); });
-    rows->addWidget(slider);
+            [this] { answer(QString::number(field_->value(), 'g', 15).toStdString()); });
+    rows->addWidget(slider_);
     auto* const row = new QHBoxLayout;
-    row->addWidget(field, 1);
+    row->addWidget(field_, 1);
     row->addWidget(button);
     rows->addLayout(row);
 }
 
-QString QuestionBox::picked() const {
-    if (state_.lesson()->here().ask->kind == AskKind::pixel) {
-        return QStringLiteral("pixel ") + qt(text_of(state_.pixel()));
+/// To a value that did not come from the slider.
+void QuestionBox::move_slider(double value) {
+    const lesson::Ask& ask = *state_.lesson()->here().ask;
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(
+        std::lround((value - ask.from) / (ask.to - ask.from) * slider_->maximum())));
+}
+
+/// Slider and field as the scene has it, unless they are just being moved.
+void QuestionBox::show_value() {
+    if (trying_.isActive()) {
+        return;
     }
-    return state_.selected() ? qt(title_of(*state_.selected())) : QStringLiteral("no ray");
+    if (const double value = state_.value_tried(); field_->value() != value) {
+        const QSignalBlocker quiet(field_);
+        field_->setValue(value);
+    }
+    move_slider(field_->value());
 }
 
 void QuestionBox::refresh() {
     if (!content_) {
         return;
     }
-    const LessonRun& run = *state_.lesson();
-    if (picked_) {
-        const bool pixel = run.here().ask->kind == AskKind::pixel;
-        picked_->setText(pixel ? QStringLiteral("<i>Click it in the picture.</i>")
-                               : QStringLiteral("<i>Click it in any view.</i>"));
-        take_->setText(QStringLiteral("Answer: ") + picked());
+    if (field_) {
+        show_value();
     }
-    const LessonAnswer* const given = run.answer();
+    const LessonAnswer* const given = state_.lesson()->answer();
     tell_->setVisible(!given);
     again_->setVisible(given != nullptr);
     result_->setVisible(given != nullptr);
     if (given) {
-        result_->setText(verdict(*given));
+        result_->setText(verdict_of(*given));
     }
 }
 
 /// Right or wrong by a mark and words, then the truth, and why.
-QString QuestionBox::verdict(const LessonAnswer& answer) const {
+QString QuestionBox::verdict_of(const LessonAnswer& answer) const {
     const Palette& palette = palette_of(state_.look().theme);
     const QString truth = qt(answer.truth).toHtmlEscaped();
     QString html;

@@ -9,6 +9,7 @@ class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QSlider;
 class QVBoxLayout;
 
 namespace raytree::inspector {
@@ -25,8 +26,10 @@ class QuestionBox : public QFrame {
 
     /// Builds the question of the open lesson's step.
     void renew();
-    /// What the picked pixel or ray would be as an answer, and what has been answered.
+    /// What has been answered, and the value as the scene has it.
     void refresh();
+    /// What is said to the answer; null where nothing is asked.
+    QWidget* verdict() const;
 
   private:
     void add_input();
@@ -37,14 +40,17 @@ class QuestionBox : public QFrame {
     QLabel* add_text(QVBoxLayout* rows, const QString& html);
     QPushButton* add_button(QLayout* row, const QString& text, const std::string& command);
     void answer(const std::string& words) { run_("lesson.answer", words); }
-    QString verdict(const LessonAnswer& answer) const;
-    QString picked() const;
+    void move_slider(double value);
+    void show_value();
+    QString verdict_of(const LessonAnswer& answer) const;
 
     State& state_;
     Run run_;
     QWidget* content_ = nullptr;
-    QLabel *result_ = nullptr, *picked_ = nullptr;
-    QPushButton *take_ = nullptr, *tell_ = nullptr, *again_ = nullptr;
+    QLabel* result_ = nullptr;
+    QPushButton *tell_ = nullptr, *again_ = nullptr;
+    QSlider* slider_ = nullptr;  ///< of a value, as is the field
+    QDoubleSpinBox* field_ = nullptr;
     QTimer trying_;  ///< runs out when the slider rests for a moment
     double tried_ = 0;
 };

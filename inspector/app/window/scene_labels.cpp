@@ -98,7 +98,9 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
         if (object_named(scene, ray->hit->object) != state.thing()) {
             labels.push_back({ray->hit->point, qt(ray->hit->object), true});
         }
-        labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
+        if (state.look().angles) {
+            labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
+        }
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true});

@@ -326,8 +326,10 @@ void ScenePane::place_picture() {
 /// All that stands beside the shapes: it is made anew for each view and selection.
 void ScenePane::prepare_rays() {
     const Palette& palette = palette_of(state_.look().theme);
-    const Landmarks marks = landmarks({*state_.document(), state_.selected(), state_.pixel(),
-                                       extent_, view_, palette, state_.thing(), &mesh_});
+    // The normal comes and goes with the angles that are measured from it.
+    const auto* const marked = state_.look().angles ? state_.selected() : nullptr;
+    const Landmarks marks = landmarks({*state_.document(), marked, state_.pixel(), extent_, view_,
+                                       palette, state_.thing(), &mesh_});
     const ExplainedMesh explained = explained_mesh(state_, extent_, view_);
     RayMeshes rays;
     AngleDrawing angles;
