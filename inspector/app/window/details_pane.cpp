@@ -134,8 +134,7 @@ class Writer {
             return {};
         }
         const auto [r, g, b] = eight_bit(*row.swatch, quantize_).value;
-        return QStringLiteral("&nbsp;&nbsp;<img src='swatch:%1'/>")
-            .arg(QColor(r, g, b).name().mid(1));
+        return QStringLiteral(" <img src='swatch:%1'/>").arg(QColor(r, g, b).name().mid(1));
     }
 
     const Palette& palette_;
