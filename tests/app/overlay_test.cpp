@@ -67,11 +67,11 @@ TEST_CASE("app: an overlay compares the depth picture with the shadow rays of a 
     CHECK(pixels("wrongly dark") == agreed.wrongly_dark);
     CHECK(pixels("wrongly lit") == agreed.wrongly_lit);
     CHECK(overlay->cells.size() == overlay->values.size());
-    const OverlayRender none(document, lesson::DepthShown{"sun", 64, 0});
+    const OverlayRender none(document, lesson::DepthShown{"moon", 64, 0});
     while (!none.stopped()) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    CHECK(none.failure().find("no light 'sun'") != std::string::npos);
+    CHECK(none.failure().find("no light 'moon'") != std::string::npos);
 }
 
 TEST_CASE("app: an overlay that is cancelled is none") {
