@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trace/counting.h"
 #include "trace/thread_time.h"
 #include "trace/tracer.h"
 
@@ -10,8 +11,9 @@ namespace raytree {
 namespace {
 
 constexpr std::size_t most_pixels = 1024, fewest_pixels = 64;
-constexpr double reference_seconds = 0.5;  // that all its pixels may take together
-constexpr double reference_factor = 100;   // how much longer it takes than double, roughly
+// That all pixels may take together, about half a second in the reference arithmetic. Counted, not
+// timed: the same pixels, and with them the same errors, on every machine.
+constexpr double most_rays = 16'000;
 constexpr int repeats = 3;
 constexpr int most_levels = 12;  // that are shown
 
@@ -20,9 +22,9 @@ struct Some {
     std::size_t width = 1, pixels = 1, stride = 1;
 };
 
-template <class T> std::vector<Rgb<T>> trace_some(const World<T>& world, const Some& some) {
-    NoRecorder<T> nothing;
-    Tracer<T, NoRecorder<T>> tracer(world, nothing);
+template <class T, class Recorder>
+std::vector<Rgb<T>> trace_some(const World<T>& world, const Some& some, Recorder& recorder) {
+    Tracer<T, Recorder> tracer(world, recorder);
     std::vector<Rgb<T>> traced;
     for (std::size_t pixel = 0; pixel < some.pixels; pixel += some.stride) {
         traced.push_back(tracer.trace_pixel(static_cast<int>(pixel % some.width),
@@ -31,7 +33,12 @@ template <class T> std::vector<Rgb<T>> trace_some(const World<T>& world, const S
     return traced;
 }
 
-/// As many pixels as the reference can do in its time.
+template <class T> std::vector<Rgb<T>> trace_some(const World<T>& world, const Some& some) {
+    NoRecorder<T> nothing;
+    return trace_some(world, some, nothing);
+}
+
+/// As many pixels as have few enough rays, judged by a few of them.
 Some chosen_pixels(const World<double>& world) {
     const Camera& camera = world.scene().camera;
     const auto width = static_cast<std::size_t>(camera.width);
@@ -42,12 +49,11 @@ Some chosen_pixels(const World<double>& world) {
         return stride > 1 && width % stride == 0 ? stride + 1 : stride;
     };
     some.stride = stride_for(fewest_pixels);
-    const double few = thread_time_of([&] { trace_some(world, some); });
-    const double a_pixel =
-        few * static_cast<double>(some.stride) / static_cast<double>(some.pixels);
-    const double room = reference_seconds / std::max(1e-9, a_pixel * reference_factor);
+    CountingRecorder<double> recorder;
+    const std::size_t few = trace_some(world, some, recorder).size();
+    const double a_pixel = static_cast<double>(recorder.counts.rays()) / static_cast<double>(few);
     some.stride = stride_for(
-        std::clamp(static_cast<std::size_t>(std::min(room, 1e9)), fewest_pixels, most_pixels));
+        std::clamp(static_cast<std::size_t>(most_rays / a_pixel), fewest_pixels, most_pixels));
     return some;
 }
 

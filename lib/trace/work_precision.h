@@ -25,8 +25,8 @@ struct WorkPrecision {
     bool operator==(const WorkPrecision&) const = default;
 };
 
-/// Traces some pixels of the picture, evenly spread, in about a second. A measurement: the times
-/// differ from run to run, the errors do not as long as the same pixels are traced.
+/// Traces some pixels of the picture, evenly spread, in about a second: as many as have about
+/// 16,000 rays, from 64 to 1,024. The times differ from run to run, pixels and errors do not.
 WorkPrecision measure_work_precision(const Scene& scene);
 
 }  // namespace raytree
