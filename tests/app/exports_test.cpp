@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/scenes.h"
+#include "folders.h"
 #include "formats/image.h"
 #include "formats/output_file.h"
 #include "formats/tree_json.h"

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/scenes.h"
+#include "folders.h"
 #include "formats/tree_json.h"
 #include "state/commands.h"
 #include "state/start_pixel.h"

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "scene/input_error.h"
 #include "scene/plan.h"

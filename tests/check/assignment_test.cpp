@@ -10,6 +10,7 @@
 #include "check/forge.h"
 #include "check/support.h"
 #include "check/telling_pixels.h"
+#include "folders.h"
 #include "formats/output_file.h"
 #include "formats/scene_json.h"
 #include "scene/input_error.h"

@@ -5,6 +5,7 @@
 
 #include "check/check.h"
 #include "check/support.h"
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "formats/tree_json.h"
 #include "scene/input_error.h"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "formats/tree_json.h"
 #include "tree/record.h"

@@ -8,6 +8,7 @@
 #include "check/picture_mistakes.h"
 #include "check/picture_values.h"
 #include "check/support.h"
+#include "folders.h"
 #include "formats/image.h"
 #include "formats/output_file.h"
 #include "formats/scene_file.h"

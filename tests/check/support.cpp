@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "formats/tree_json.h"
 

@@ -1,5 +1,6 @@
 #include <cstdlib>
 
+#include "folders.h"
 #include "formats/image.h"
 #include "formats/scene_file.h"
 #include "formats/support.h"

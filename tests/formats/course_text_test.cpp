@@ -1,5 +1,6 @@
 #include "formats/course_text.h"
 
+#include "folders.h"
 #include "formats/support.h"
 
 namespace raytree {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "folders.h"
 #include "formats/support.h"
 
 namespace raytree {

@@ -1,5 +1,6 @@
 #include "formats/scene_json.h"
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "formats/support.h"
 

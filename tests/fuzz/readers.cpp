@@ -9,6 +9,7 @@
 #include "check/report.h"
 #include "check/rubric.h"
 #include "check/submission.h"
+#include "folders.h"
 #include "formats/course_text.h"
 #include "formats/nff.h"
 #include "formats/obj.h"

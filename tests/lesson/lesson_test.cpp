@@ -9,6 +9,7 @@
 
 #include "check/catalogue.h"
 #include "check/lessons.h"
+#include "folders.h"
 #include "formats/output_file.h"
 #include "lesson/check_lesson.h"
 #include "lesson/features.h"

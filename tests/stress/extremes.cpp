@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "folders.h"
 #include "formats/output_file.h"
 #include "formats/scene_json.h"
 #include "formats/tree_json.h"

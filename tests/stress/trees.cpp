@@ -4,6 +4,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "stress.h"
 #include "tree_comparison.h"

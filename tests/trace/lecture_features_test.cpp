@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "trace/eye_space.h"
 #include "trace/light_shower.h"

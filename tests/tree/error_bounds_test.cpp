@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "folders.h"
 #include "formats/scene_file.h"
 #include "support/scenes.h"
 #include "support/tree_comparison.h"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "folders.h"
+
 namespace raytree::bench {
 
 std::vector<std::pair<std::string, std::filesystem::path>> accuracy_scenes(

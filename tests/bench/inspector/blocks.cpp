@@ -6,6 +6,7 @@
 // Without scenes: the sphereflake, and a terrain of 10^6 triangles as an OBJ file. The processor's
 // time, in brackets, is that of the window's thread.
 
+#include "folders.h"
 #include "inspector/hand.h"
 #include "state/commands.h"
 #include "support/generate.h"

@@ -4,6 +4,7 @@
 //
 // Usage: raytree_inspector_click [SCENE [WIDTH HEIGHT]]   (a display is needed, such as Xvfb's)
 
+#include "folders.h"
 #include "inspector/hand.h"
 #include "tree/record.h"
 

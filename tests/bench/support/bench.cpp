@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "folders.h"
+
 namespace raytree::bench {
 namespace {
 
