@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 
 #include "geometry/polygon.h"
 #include "geometry/sphere.h"
@@ -9,7 +10,9 @@ namespace raytree::stress {
 namespace {
 
 constexpr std::size_t bounces = 64;
-constexpr int neighbours = 3;
+// With three of them, in some 25 of 10^6 corridors all happened to stay close, and an ordinary
+// error looked large beside them.
+constexpr int neighbours = 12;
 
 /// Two mirrors that face each other, nearly parallel, or the inside of a ball.
 struct Corridor {
@@ -135,13 +138,16 @@ template <class A, class B> double apart(const Vec3<A>& a, const Vec3<B>& b) {
     return static_cast<double>(length<B>(vector_cast<B>(a) - b));
 }
 
+/// How far the ray may be off, over what one unit in the last place of everything does to it.
+constexpr double allowed = 10;
+
 /// How many units in the last place the neighbours of a ray are moved. A unit of `float` is seen by
 /// double as it is; one of `double` is not, but 2^20 are, and the way they move a ray is as much
 /// larger: 2^-32 of a length is next to nothing still.
 template <class T> constexpr double step_ulps = std::is_same_v<T, float> ? 1 : 0x1p20;
 
 /// How far one unit in the last place of T moves the exact ray, of the input and at each bounce so
-/// far: the sum over some neighbours, in double.
+/// far: the root mean square over some neighbours, in double.
 struct Sensitivity {
     std::size_t length = bounces;
     std::array<double, bounces> points{}, directions{};
@@ -160,9 +166,13 @@ template <class T> Sensitivity sensitivity(Random& random, const Corridor& c) {
             worst_point = max_of(worst_point, apart(other.points[k], straight.points[k]));
             worst_direction =
                 max_of(worst_direction, apart(other.directions[k], straight.directions[k]));
-            result.points[k] += worst_point / step_ulps<T>;
-            result.directions[k] += worst_direction / step_ulps<T>;
+            result.points[k] += worst_point * worst_point;
+            result.directions[k] += worst_direction * worst_direction;
         }
+    }
+    for (std::size_t k = 0; k < bounces; ++k) {
+        result.points[k] = std::sqrt(result.points[k] / neighbours) / step_ulps<T>;
+        result.directions[k] = std::sqrt(result.directions[k] / neighbours) / step_ulps<T>;
     }
     return result;
 }
@@ -194,10 +204,10 @@ template <class T> void try_one(Random& random, const Corridor& given, Tally& ta
     const double ulp = 2 * static_cast<double>(Real<T>::unit_roundoff);
     for (std::size_t k = 0; k < min_of(length, own.length); ++k) {
         const double size = static_cast<double>(largest_component(exact.points[k]));
-        share = max_of(share,
-                       apart(own.points[k], exact.points[k]) / (8 * moves.points[k] + ulp * size));
-        share = max_of(
-            share, apart(own.directions[k], exact.directions[k]) / (8 * moves.directions[k] + ulp));
+        share = max_of(share, apart(own.points[k], exact.points[k]) /
+                                  (allowed * moves.points[k] + ulp * size));
+        share = max_of(share, apart(own.directions[k], exact.directions[k]) /
+                                  (allowed * moves.directions[k] + ulp));
     }
     if (!outcome.judge(share)) {
         tally.describe<T>([&](std::ostream& out) {
@@ -225,8 +235,8 @@ Row corridors() {
         "corridors",
         "64 bounces between two mirrors, parallel or nearly so, and inside a ball",
         "rays",
-        "at every bounce, point and direction are off by no more than 8 times what 3 changes of "
-        "the input and of each bounce by one ulp do to the reference together",
+        "at every bounce, point and direction are off by no more than 10 times what changes of the "
+        "input and of each bounce by one ulp do to the reference (root mean square of 12)",
         "that",
         200,
         1'000'000,
