@@ -21,7 +21,7 @@ constexpr std::array<Meaning, 5> meanings = {{
     {"levels", "levels of the pixel's tree", 1, ""},
     {"tests", "tests of a ray with a shape", 1, ""},
     {"time", "time that the pixel took", 1000, " µs"},
-    {"ended", "why the weightiest branch of the pixel's tree ended", 1, ""},
+    {"ended", "why the tree's weightiest branch ended", 1, ""},
 }};
 
 const Meaning& meaning_of(Measure measure) { return meanings[static_cast<std::size_t>(measure)]; }

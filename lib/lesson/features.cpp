@@ -6,6 +6,7 @@
 #include "trace/render.h"
 #include "trace/self_hits.h"
 #include "trace/z_buffer.h"
+#include "tree/crossing_walk.h"
 
 namespace raytree::lesson {
 namespace {
@@ -38,6 +39,22 @@ Json z_buffer_json(const StageWorld& world, const Show& show, std::size_t) {
                         {"written", step.written}});
     }
     return list;
+}
+
+Json crossings_json(const StageWorld& world, const Show& show, std::size_t ray) {
+    const auto tree = world.tree_at(show.pixel.i, show.pixel.j);
+    const auto walk = crossing_walk(world.world(), tree->rays[ray],
+                                    show.crossings ? show.crossings->object : std::string());
+    if (!walk) {
+        return nullptr;
+    }
+    Json at = Json::array();
+    for (const CrossingWalk::Crossed& crossed : walk->crossed) {
+        at.push_back(crossed.u);
+    }
+    return {{"object", walk->object},  {"t", walk->test.t},   {"u", walk->test.u},
+            {"v", walk->test.v},       {"at", std::move(at)}, {"count", walk->crossed.size()},
+            {"inside", walk->inside()}};
 }
 
 Json time_json(const StageWorld& world, const Show&, std::size_t) {
@@ -85,11 +102,17 @@ struct Feature {
     bool of_scene;  ///< the same whatever is shown of it
 };
 constexpr Feature features[] = {
-    {"picture", picture_json, true},      {"shower", shower_json, false},
-    {"traversal", traversal_json, false}, {"hierarchies", hierarchies_json, false},
-    {"volumes", volumes_json, false},     {"depth", depth_json, false},
-    {"z_buffer", z_buffer_json, false},   {"time", time_json, true},
-    {"accuracy", accuracy_json, true},    {"self_hits", self_hits_json, true},
+    {"picture", picture_json, true},
+    {"shower", shower_json, false},
+    {"traversal", traversal_json, false},
+    {"hierarchies", hierarchies_json, false},
+    {"volumes", volumes_json, false},
+    {"depth", depth_json, false},
+    {"z_buffer", z_buffer_json, false},
+    {"crossings", crossings_json, false},
+    {"time", time_json, true},
+    {"accuracy", accuracy_json, true},
+    {"self_hits", self_hits_json, true},
     {"lecture", lecture_json, true},
 };
 
@@ -111,6 +134,9 @@ std::string key_of(const Feature& feature, const Show& show, std::size_t ray) {
     }
     if (show.depth) {
         said.push_back({"depth", show.depth->light, show.depth->size, show.depth->bias});
+    }
+    if (show.crossings) {
+        said.push_back({"crossings", show.crossings->object});
     }
     return key + said.dump();
 }
@@ -161,6 +187,10 @@ void check_features(const StageWorld& world, const Show& show, std::size_t) {
     }
     if (show.depth) {
         light_named(world.scene(), show.depth->light);
+    }
+    if (show.crossings && !show.crossings->object.empty() &&
+        !has_polygon(world.world(), show.crossings->object)) {
+        throw ExpressionError("the scene has no polygon '" + show.crossings->object + "'");
     }
 }
 

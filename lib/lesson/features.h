@@ -16,10 +16,10 @@ namespace raytree::lesson {
 /// The names that `feature_member` knows.
 std::span<const std::string_view> feature_names();
 
-/// `picture`, `shower`, `traversal`, `hierarchies`, `volumes`, `depth`, `z_buffer`, `time`,
-/// `accuracy`, `self_hits` and `lecture`; nothing for another name. A feature that needs to know
-/// more takes it from `show`, and throws ExpressionError where it is not said there. `ray` is the
-/// one that a feature about one ray is about.
+/// `picture`, `shower`, `traversal`, `hierarchies`, `volumes`, `depth`, `z_buffer`, `crossings`,
+/// `time`, `accuracy`, `self_hits` and `lecture`; nothing for another name. A feature that needs to
+/// know more takes it from `show`, and throws ExpressionError where it is not said there. `ray` is
+/// the one that a feature about one ray is about.
 std::optional<Value> feature_member(const StageWorld& world, const Show& show, std::size_t ray,
                                     std::string_view name);
 

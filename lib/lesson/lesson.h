@@ -61,6 +61,10 @@ struct VolumesShown {
     std::string light;
     bool operator==(const VolumesShown&) const = default;
 };
+struct CrossingsShown {
+    std::string object;  ///< a polygon; empty: that which is hit, or whose plane is met first
+    bool operator==(const CrossingsShown&) const = default;
+};
 struct DepthShown {
     std::string light;
     int size = 64;      ///< pixels, of its width and height
@@ -93,6 +97,7 @@ struct Show {
     std::optional<TraversalShown> traversal;
     std::optional<VolumesShown> volumes;
     std::optional<DepthShown> depth;
+    std::optional<CrossingsShown> crossings;
 };
 
 /// What a wrong answer is told. One of the two says which answer it is for.

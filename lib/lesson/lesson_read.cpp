@@ -191,7 +191,11 @@ class LessonReader {
     void read_example_pixel(const ObjectReader& reader, Ask& ask) {
         std::array<double, 2> pixel{};
         if (reader.numbers("example", 2, pixel.data(), Need::required)) {
-            ask.example = Json::array({pixel[0], pixel[1]});
+            const auto whole = [](double x) {
+                return x >= 0 && x <= 65535 && x == std::floor(x) ? Json(static_cast<int>(x))
+                                                                  : Json(x);
+            };
+            ask.example = Json::array({whole(pixel[0]), whole(pixel[1])});
         }
     }
 

@@ -57,9 +57,10 @@ class ShowReader {
         reader_.truth("time", show_.time, Need::optional);
         reader_.truth("accuracy", show_.accuracy, Need::optional);
         read_features();
-        reader_.nothing_but({"scene", "pixel", "change", "ray", "stepped", "view", "shapes",
-                             "overlay", "panel", "formula", "hide", "eye_space", "z_buffer", "time",
-                             "accuracy", "shower", "traversal", "volumes", "depth"});
+        reader_.nothing_but({"scene",  "pixel",     "change",   "ray",   "stepped",
+                             "view",   "shapes",    "overlay",  "panel", "formula",
+                             "hide",   "eye_space", "z_buffer", "time",  "accuracy",
+                             "shower", "traversal", "volumes",  "depth", "crossings"});
     }
 
   private:
@@ -202,6 +203,9 @@ class ShowReader {
         });
         object("volumes", {"light"}, [&](const ObjectReader& members) {
             members.text("light", show_.volumes.emplace().light, Need::required);
+        });
+        object("crossings", {"object"}, [&](const ObjectReader& members) {
+            members.text("object", show_.crossings.emplace().object, Need::optional);
         });
         object("depth", {"light", "size", "bias"}, [&](const ObjectReader& members) {
             DepthShown& depth = show_.depth.emplace();

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "check/catalogue.h"
 #include "check/forge.h"
 #include "formats/tree_json.h"
@@ -5,6 +8,24 @@
 #include "tree/record.h"
 
 namespace raytree::lesson {
+namespace {
+
+bool is_finite(const Vec3<double>& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Not so with some mistakes, such as the root of a number below zero.
+bool has_numbers(const TreeRay<double>& ray) {
+    const auto& hit = ray.hit;
+    return is_finite(ray.origin) && is_finite(ray.direction) && isfinite(ray.weight) &&
+           std::isfinite(ray.attenuation) && isfinite(ray.ambient) && isfinite(ray.diffuse) &&
+           isfinite(ray.specular) && isfinite(ray.intensity) &&
+           (!hit || (std::isfinite(hit->t) && is_finite(hit->point) && is_finite(hit->normal) &&
+                     std::isfinite(hit->cos_incident))) &&
+           (!ray.shadow || isfinite(ray.shadow->transmittance));
+}
+
+}  // namespace
 
 TreeSource the_tracer() {
     return [](const World<double>& world, int i, int j) { return record_tree(world, i, j); };
@@ -47,6 +68,11 @@ std::shared_ptr<const RayTree<double>> StageWorld::tree_at(int i, int j) const {
 std::shared_ptr<const Json> StageWorld::json_at(int i, int j) const {
     Traced& traced = traced_at(i, j);
     if (!traced.json) {
+        if (!std::ranges::all_of(traced.tree->rays, has_numbers)) {
+            throw ExpressionError("the tree of pixel " + std::to_string(i) + "," +
+                                  std::to_string(j) +
+                                  " has values that are no numbers: the mistake makes them");
+        }
         traced.json = std::make_shared<const Json>(Json::parse(write_tree_json(*traced.tree)));
     }
     return traced.json;

@@ -12,19 +12,6 @@ namespace {
 using Tree = RayTree<double>;
 using Node = TreeRay<double>;
 
-/// The shape that goes by a name in the tree.
-PrimitiveId named(const World<double>& world, const std::string& name) {
-    const auto& shapes = world.shapes.shapes();
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-        const auto id = static_cast<PrimitiveId>(k);
-        if (name.starts_with(world.scene().objects[shapes[id].object].name) &&
-            primitive_name(world.scene(), shapes[id]) == name) {
-            return id;
-        }
-    }
-    return no_primitive;
-}
-
 Ray<double> ray_of(const Node& node) {
     const double error =
         node.parent ? 4 * Real<double>::unit_roundoff * largest_component(node.origin) : 0.0;
@@ -50,21 +37,6 @@ std::optional<Blocker<double>> end_of(const Node& node) {
     return node.shadow ? node.shadow->blocked_by : std::nullopt;
 }
 
-std::vector<Vec3<double>> vertices_of(const Shape& shape, int part) {
-    std::vector<Vec3<double>> vertices;
-    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
-        for (const Point& vertex : polygon->vertices) {
-            vertices.push_back({vertex.x, vertex.y, vertex.z});
-        }
-    } else if (const auto* mesh = std::get_if<Mesh>(&shape)) {
-        for (const Mesh::Corner& corner : mesh->triangles[static_cast<std::size_t>(part)]) {
-            const Point& vertex = mesh->vertices[static_cast<std::size_t>(corner.vertex)];
-            vertices.push_back({vertex.x, vertex.y, vertex.z});
-        }
-    }
-    return vertices;
-}
-
 void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, double t,
                 Derivation& result) {
     const Primitive primitive = world.shapes.shapes()[id];
@@ -78,7 +50,7 @@ void derive_hit(const World<double>& world, PrimitiveId id, Ray<double> ray, dou
     } else if (const auto* cone = std::get_if<Cone>(&object.shape)) {
         result.how = derive_cone(*cone, ray, t);
     } else {
-        result.how = derive_polygon(vertices_of(object.shape, primitive.part), ray);
+        result.how = derive_polygon(corners_of(object.shape, primitive.part), ray);
     }
 }
 
@@ -92,7 +64,7 @@ std::vector<Medium> media_of(const Scene& scene, const World<double>& world, con
     std::vector<std::size_t> inside;
     for (const Node* const at : way | std::views::reverse) {
         const TreeHit<double>& hit = *tree.rays[*at->parent].hit;
-        const PrimitiveId id = named(world, hit.object);
+        const PrimitiveId id = primitive_named(world, hit.object);
         if (at->kind != RayKind::refracted || id == no_primitive) {
             continue;
         }
@@ -160,22 +132,60 @@ PolygonDerivation derive_polygon(std::span<const Vec3<double>> vertices, const R
     result.dropped = 3 - polygon.axes.u - polygon.axes.v;
     result.u = ray.origin[polygon.axes.u] + result.t * ray.direction[polygon.axes.u];
     result.v = ray.origin[polygon.axes.v] + result.t * ray.direction[polygon.axes.v];
-    const auto& outline = polygon.outline;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const auto& [u0, v0] = outline[j];
-        const auto& [u1, v1] = outline[i];
-        if ((v0 > result.v) != (v1 > result.v)) {
-            const double crossing = u0 + (result.v - v0) / (v1 - v0) * (u1 - u0);
-            result.crossings += crossing > result.u ? 1 : 0;
+    result.crossings = static_cast<int>(outline_crossings(vertices, result).size());
+    return result;
+}
+
+std::vector<OutlineCrossing> outline_crossings(std::span<const Vec3<double>> vertices,
+                                               const PolygonDerivation& polygon) {
+    const int u = (polygon.dropped + 1) % 3, v = (polygon.dropped + 2) % 3;
+    std::vector<OutlineCrossing> crossed;
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const Vec3<double>&from = vertices[k], &to = vertices[(k + 1) % vertices.size()];
+        if ((from[v] > polygon.v) == (to[v] > polygon.v)) {
+            continue;
+        }
+        const double share = (polygon.v - from[v]) / (to[v] - from[v]);
+        const Vec3<double> at = from + share * (to - from);
+        if (at[u] > polygon.u) {
+            crossed.push_back({k, at});
         }
     }
-    return result;
+    std::ranges::sort(crossed, {}, [&](const OutlineCrossing& each) { return each.at[u]; });
+    return crossed;
+}
+
+PrimitiveId primitive_named(const World<double>& world, std::string_view name) {
+    const auto& shapes = world.shapes.shapes();
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const auto id = static_cast<PrimitiveId>(k);
+        if (name.starts_with(world.scene().objects[shapes[id].object].name) &&
+            primitive_name(world.scene(), shapes[id]) == name) {
+            return id;
+        }
+    }
+    return no_primitive;
+}
+
+std::vector<Vec3<double>> corners_of(const Shape& shape, int part) {
+    std::vector<Vec3<double>> vertices;
+    if (const auto* polygon = std::get_if<Polygon>(&shape)) {
+        for (const Point& vertex : polygon->vertices) {
+            vertices.push_back({vertex.x, vertex.y, vertex.z});
+        }
+    } else if (const auto* mesh = std::get_if<Mesh>(&shape)) {
+        for (const Mesh::Corner& corner : mesh->triangles[static_cast<std::size_t>(part)]) {
+            const Point& vertex = mesh->vertices[static_cast<std::size_t>(corner.vertex)];
+            vertices.push_back({vertex.x, vertex.y, vertex.z});
+        }
+    }
+    return vertices;
 }
 
 Derivation derive(const World<double>& world, const RayTree<double>& tree, std::size_t id) {
     const Node& node = tree.rays[id];
     const PrimitiveId leaving =
-        node.parent ? named(world, tree.rays[*node.parent].hit->object) : no_primitive;
+        node.parent ? primitive_named(world, tree.rays[*node.parent].hit->object) : no_primitive;
     const Ray<double> ray = ray_of(node);
     const auto end = end_of(node);
     Derivation result;

@@ -36,6 +36,12 @@ struct PolygonDerivation {
     int crossings = 0;    ///< of the outline with the half line from the point towards larger u
 };
 
+/// An edge of the outline that the half line from the point in the plane towards larger u crosses.
+struct OutlineCrossing {
+    std::size_t edge = 0;  ///< from this corner to the next, counted from 0
+    Vec3<double> at{};     ///< where, in the polygon's own space
+};
+
 /// `A t^2 + B t + C = 0` for the surface `|across|^2 = (r + m z)^2` of a cone or cylinder that goes
 /// on for ever, z being the height over the base, along the axis, and across what is left of
 /// `o + t d - base` without that. A root counts where `0 <= z <= h`.
@@ -81,5 +87,16 @@ Derivation derive(const World<double>& world, const RayTree<double>& tree, std::
 SphereDerivation derive_sphere(const Sphere& sphere, const Ray<double>& ray, double t);
 ConeDerivation derive_cone(const Cone& cone, const Ray<double>& ray, double t);
 PolygonDerivation derive_polygon(std::span<const Vec3<double>> vertices, const Ray<double>& ray);
+
+/// Those that the crossing test counts, in the order of the half line.
+std::vector<OutlineCrossing> outline_crossings(std::span<const Vec3<double>> vertices,
+                                               const PolygonDerivation& polygon);
+
+/// The corners of a polygon, or of a mesh's triangle `part`, in its own space; none of another
+/// shape.
+std::vector<Vec3<double>> corners_of(const Shape& shape, int part);
+
+/// The shape that goes by a name in the tree; no_primitive where there is none.
+PrimitiveId primitive_named(const World<double>& world, std::string_view name);
 
 }  // namespace raytree

@@ -145,6 +145,24 @@ TEST_CASE("app: rays that were not sent from the hit are ghosts with their reaso
     CHECK(drawn(traced(test::glass_ball_scene(), 0, 0), 0).words.empty());
 }
 
+TEST_CASE("app: the angle of a hidden ray is not drawn, and no ghost where all rays were sent") {
+    const Traced t = traced(test::glass_ball_scene(), 47, 33);
+    const View view = view_of(t);
+    RayFilter filter;
+    filter.set(group_of(RayKind::reflected), Shown::hidden);
+    const auto all = drawn(t, 0, true, false);
+    const auto without = angle_drawing({*t.document, t.tree, 0, t.extent, view,
+                                        palette_of(Theme::light), true, false, nullptr, filter});
+    CHECK(without.solid.triangle_count() < all.solid.triangle_count());
+    CHECK(says(without, "θ₂"));
+    const Scene& scene = t.document->scene();
+    for (const TreeRay<double>& ray : t.tree.tree.rays) {
+        // A ghost says its reason.
+        CHECK(has_ghosts(scene, ray, nullptr) ==
+              (ray.hit && says(drawn(t, ray.id, false, true), ": ")));
+    }
+}
+
 TEST_CASE("app: what stepping has not come to is not drawn at the hit") {
     Traced t = traced(test::glass_ball_scene(), 47, 33);
     const auto tree = std::make_shared<PixelTree>(t.tree);

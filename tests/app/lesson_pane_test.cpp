@@ -120,7 +120,7 @@ class LessonPaneTest : public QObject {
         QCOMPARE(state_.lesson()->step(), std::size_t{0});
         click(QStringLiteral("◂ Back"));
         QCOMPARE(state_.lesson()->lesson().name, std::string("01-ball"));
-        QCOMPARE(state_.lesson()->step(), std::size_t{4});
+        QCOMPARE(state_.lesson()->step(), std::size_t{6});
     }
 
     void a_number_is_typed() {
@@ -144,6 +144,20 @@ class LessonPaneTest : public QObject {
         click(QStringLiteral("Show me"));
         QVERIFY(verdict().contains(QStringLiteral("The answer: <b>4</b>")));
         QVERIFY(!state_.lesson()->is_solved(0));
+    }
+
+    void asked_again_a_number_is_typed_anew() {
+        go_to("1");
+        auto* const field = shown<QLineEdit>();
+        QVERIFY(field);
+        QTest::keyClicks(field, QStringLiteral("5"));
+        QTest::keyClick(field, Qt::Key_Return);
+        click(QStringLiteral("Ask me again"));
+        QVERIFY(!state_.lesson()->answer());
+        QCOMPARE(field->text(), QString());
+        QTest::keyClicks(field, QStringLiteral("4"));
+        QTest::keyClick(field, Qt::Key_Return);
+        check_right();
     }
 
     void a_pixel_is_clicked_in_the_picture() {
@@ -220,6 +234,18 @@ class LessonPaneTest : public QObject {
         check_wrong(QStringLiteral("The wall is gone."));
         QTest::mouseClick(options[1], Qt::LeftButton);
         check_right();
+    }
+
+    /// The question of the step before is not asked about the new step's scene.
+    void after_a_value_comes_a_step_that_asks_nothing() {
+        go_to("6");
+        QVERIFY(shown<QSlider>());
+        click(QStringLiteral("Next"));
+        QCOMPARE(QString::fromStdString(state_.message()), QString());
+        QCOMPARE(state_.lesson()->step(), std::size_t{6});
+        QCOMPARE(state_.look().shapes, ShapeStyle::wire);
+        QVERIFY(state_.pixel() == (Pixel{0, 4}));
+        QVERIFY(!shown<QSlider>());
     }
 
     void the_verdict_is_scrolled_into_view() {

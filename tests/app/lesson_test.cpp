@@ -37,21 +37,21 @@ TEST_CASE("app lessons: a step shows its scene, pixel, ray, look and pane") {
 }
 
 TEST_CASE("app lessons: next and back go on to the neighbouring lessons") {
-    AtStep at("5");
+    AtStep at("7");
     run_command(at.state, "lesson.next");
     CHECK(at.state.lesson()->lesson().name == "02-again");
     CHECK(at.state.lesson()->step() == 0);
     run_command(at.state, "lesson.back");
     CHECK(at.state.lesson()->lesson().name == "01-ball");
-    CHECK(at.state.lesson()->step() == 4);
+    CHECK(at.state.lesson()->step() == 6);
     run_command(at.state, "lesson.first");
     CHECK(at.state.lesson()->step() == 0);
     run_command(at.state, "lesson.last");
-    CHECK(at.state.lesson()->step() == 4);
-    CHECK_THROWS_AS(run_command(at.state, "lesson.step", "6"), InputError);
+    CHECK(at.state.lesson()->step() == 6);
+    CHECK_THROWS_AS(run_command(at.state, "lesson.step", "8"), InputError);
     CHECK_THROWS_AS(run_command(at.state, "lesson.step", "0"), InputError);
     CHECK_THROWS_AS(run_command(at.state, "lesson.open", "cube"), InputError);
-    CHECK(at.state.lesson()->step() == 4);
+    CHECK(at.state.lesson()->step() == 6);
 }
 
 TEST_CASE("app lessons: an answer gets right or wrong, the truth, the hint and what comes after") {
@@ -134,7 +134,7 @@ TEST_CASE("app lessons: the list has each lesson, and says which cannot be read"
     const auto entries = lessons_in(lessons.folder);
     REQUIRE(entries.size() == 2);
     CHECK(entries[0].title == "A ball");
-    CHECK(entries[0].steps == 5);
+    CHECK(entries[0].steps == 7);
     CHECK(entries[0].failure.empty());
     CHECK_FALSE(entries[1].failure.empty());
 }
@@ -174,11 +174,17 @@ TEST_CASE("app: features explain any scene, step by step, and end") {
     test::run_and_wait(state, "explain.volumes");
     CHECK(state.explanation().volumes->left_out.size() == 1);  // the ball
     CHECK_THROWS_AS(run_command(state, "explain.shower", "sun"), InputError);
+    test::run_and_wait(state, "explain.crossings", "wall");
+    REQUIRE(state.explanation().crossings);
+    CHECK(state.explanation().crossings->test.t == doctest::Approx(7));  // from z = 5 to z = -2
+    CHECK(state.explanation().crossings->crossed.size() == 1);
+    CHECK_THROWS_WITH(run_command(state, "explain.crossings", "ball"),
+                      doctest::Contains("no polygon 'ball'"));
     test::run_and_wait(state, "explain.time");
     CHECK(state.explained().time->rays > 81);
     test::run_and_wait(state, "explain.accuracy");
     CHECK(state.explained().accuracy->arithmetics.size() == 3);
-    CHECK(explained_text(state).size() == 7);
+    CHECK(explained_text(state).size() == 8);
     state.change("/materials/red/kd", "0.5");
     state.poll(std::chrono::seconds(20));  // what was measured is no longer so
     CHECK_FALSE(state.explained().time);

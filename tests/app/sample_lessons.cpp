@@ -49,7 +49,14 @@ constexpr const char* lesson_text = R"({
      "ask": {"kind": "choice", "question": "How many are left?",
              "truth": "scene.objects.count", "options": [
                {"text": "two", "value": 2, "hint": "The wall is gone."},
-               {"text": "one", "value": 1}]}}
+               {"text": "one", "value": 1}]}},
+    {"title": "Asked", "text": ["A value again."],
+     "show": {"pixel": [4, 4]},
+     "ask": {"kind": "value", "question": "Make it smaller.", "set": "/objects/0/radius",
+             "from": 0.5, "to": 3, "example": 0.8, "truth": "primary.hit.t > 4"}},
+    {"title": "Told", "text": ["Nothing is asked."],
+     "show": {"pixel": [0, 4], "change": {"objects": {"wall": null}}, "shapes": "wire",
+              "crossings": {}}}
   ]
 })";
 

@@ -3,7 +3,8 @@
 import json
 import shutil
 
-STUDIES = ["time", "hierarchies", "shower", "volumes", "depth", "z_buffer", "self_hits", "picture"]
+STUDIES = ["time", "hierarchies", "shower", "volumes", "depth", "z_buffer", "crossings", "self_hits",
+           "picture"]
 
 
 def copied(bench, name):

@@ -16,6 +16,42 @@ constexpr double axis_length = 116, ghost_length = 112;
 constexpr double line = 0.8, arc = 1.5;
 constexpr double degrees_per_step = 4;
 
+/// The normal at the ray's hit, on the side from which the ray comes.
+Point3 against(const TreeRay<double>& ray) {
+    const Point3 normal = ray.hit->normal;
+    return glm::dot(normal, Point3(ray.direction)) > 0 ? -normal : normal;
+}
+
+/// Whether stepping has come to it.
+bool is_decided(const TreeRay<double>& ray, const Skipped& ghost, const Playback* playback) {
+    const auto place = static_cast<std::size_t>(&ghost - ray.skipped.data());
+    return !playback || playback->decided(ray.id, place);
+}
+
+/// The way that a ray would have gone that was not sent; none where it would have gone no way.
+std::optional<Point3> ghost_way(const Scene& scene, const TreeRay<double>& ray,
+                                const Skipped& ghost, const Playback* playback) {
+    if (!is_decided(ray, ghost, playback)) {
+        return std::nullopt;
+    }
+    const Point3 d = ray.direction, normal = against(ray);
+    if (ghost.kind == RayKind::reflected) {
+        return reflected(d, normal);
+    }
+    if (ghost.kind == RayKind::refracted) {
+        const auto& surface = ray.hit->interface;
+        return surface ? refracted(d, normal, surface->eta1, surface->eta2) : std::nullopt;
+    }
+    for (const Light& light : scene.lights) {
+        if (light.name == ghost.light) {
+            const auto* const point = std::get_if<PointLight>(&light.kind);
+            return glm::normalize(point ? point->position - Point3(ray.hit->point)
+                                        : -std::get<DirectionalLight>(light.kind).direction);
+        }
+    }
+    return std::nullopt;
+}
+
 class Builder {
   public:
     explicit Builder(const AngleInput& input)
@@ -25,10 +61,7 @@ class Builder {
           size_(size_at_hit(input.extent, input.view, at_)),
           pixel_(size_ * length_per_pixel(input.view, at_)) {
         const Point3 d = ray_.direction;
-        normal_ = ray_.hit->normal;
-        if (glm::dot(normal_, d) > 0) {
-            normal_ = -normal_;
-        }
+        normal_ = against(ray_);
         cosine_ = std::clamp(-glm::dot(d, normal_), -1.0, 1.0);
         sideways_ = d + cosine_ * normal_;  // along the surface, the way the ray goes
         const double length = glm::length(sideways_);
@@ -182,24 +215,22 @@ class Builder {
     bool sent(RayKind kind) const {
         const auto& children = in_.tree.children[ray_.id];
         return std::ranges::any_of(children, [&](std::size_t child) {
-            return in_.tree.tree.rays[child].kind == kind &&
+            const TreeRay<double>& ray = in_.tree.tree.rays[child];
+            return ray.kind == kind && shown(in_.filter, in_.tree, ray) != Shown::hidden &&
                    (!in_.playback || in_.playback->stage(child) != Stage::unsent);
         });
     }
     bool skipped(RayKind kind) const {
-        return std::ranges::any_of(ray_.skipped, [&](const Skipped& ghost) {
-            return ghost.kind == kind && is_decided(ghost);
-        });
-    }
-    bool is_decided(const Skipped& ghost) const {
-        const auto place = static_cast<std::size_t>(&ghost - ray_.skipped.data());
-        return !in_.playback || in_.playback->decided(ray_.id, place);
+        return in_.filter.of(group_of(kind)) != Shown::hidden &&
+               std::ranges::any_of(ray_.skipped, [&](const Skipped& ghost) {
+                   return ghost.kind == kind && is_decided(ray_, ghost, in_.playback);
+               });
     }
 
     /// Dotted, the way that the ray would have gone; nothing where it would have gone no way.
     void add_ghosts() {
         for (const Skipped& ghost : ray_.skipped) {
-            if (const auto way = is_decided(ghost) ? way_of(ghost) : std::nullopt) {
+            if (const auto way = ghost_way(in_.document.scene(), ray_, ghost, in_.playback)) {
                 const Point3 tip = at_ + *way * (ghost_length * pixel_);
                 add_dots(tip, ghost_length, {in_.palette.dim_text, 200});
                 const std::string name = ghost.kind == RayKind::shadow
@@ -210,25 +241,6 @@ class Builder {
                                       name + ": " + short_reason(ghost.reason), false});
             }
         }
-    }
-
-    std::optional<Point3> way_of(const Skipped& ghost) const {
-        const Point3 d = ray_.direction;
-        if (ghost.kind == RayKind::reflected) {
-            return reflected(d, normal_);
-        }
-        if (ghost.kind == RayKind::refracted) {
-            const auto& surface = ray_.hit->interface;
-            return surface ? refracted(d, normal_, surface->eta1, surface->eta2) : std::nullopt;
-        }
-        for (const Light& light : in_.document.scene().lights) {
-            if (light.name == ghost.light) {
-                const auto* const point = std::get_if<PointLight>(&light.kind);
-                return glm::normalize(point ? point->position - at_
-                                            : -std::get<DirectionalLight>(light.kind).direction);
-            }
-        }
-        return std::nullopt;
     }
 
     const AngleInput& in_;
@@ -245,6 +257,12 @@ class Builder {
 
 AngleDrawing angle_drawing(const AngleInput& input) {
     return input.tree.tree.rays[input.selected].hit ? Builder(input).build() : AngleDrawing();
+}
+
+bool has_ghosts(const Scene& scene, const TreeRay<double>& ray, const Playback* playback) {
+    return ray.hit && std::ranges::any_of(ray.skipped, [&](const Skipped& ghost) {
+               return ghost_way(scene, ray, ghost, playback).has_value();
+           });
 }
 
 double size_at_hit(const Extent& extent, const View& view, const Point3& at) {

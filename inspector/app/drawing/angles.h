@@ -32,6 +32,7 @@ struct AngleInput {
     bool angles = true;
     bool ghosts = true;
     const Playback* playback = nullptr;  ///< what it has not come to yet is not drawn
+    RayFilter filter = {};               ///< nor the angles of rays that are hidden
 };
 
 /// At the selected ray's hit: the angles of the incident ray and of what is reflected and
@@ -39,6 +40,9 @@ struct AngleInput {
 /// the critical angle; and, as ghosts with their reasons, the rays that were not sent from there.
 /// Nothing where the ray hits nothing.
 AngleDrawing angle_drawing(const AngleInput& input);
+
+/// Whether one of the rays that were not sent from the ray's hit is drawn as a ghost.
+bool has_ghosts(const Scene& scene, const TreeRay<double>& ray, const Playback* playback);
 
 /// The size of what is drawn at a hit, from about 0.5 to 1, where shapes are small on the screen.
 double size_at_hit(const Extent& extent, const View& view, const Point3& at);

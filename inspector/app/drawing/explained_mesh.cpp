@@ -52,6 +52,9 @@ class Builder {
         for (const ZBufferStep& step : all_.z_buffer) {
             add_ball_at(state_.tree()->tree.rays[0], step.t, palette_.accent, step.written ? 5 : 3);
         }
+        if (all_.crossings) {
+            add_crossings(*all_.crossings);
+        }
         add_along(met_along(state_, extent_));
         return std::move(out_);
     }
@@ -75,6 +78,25 @@ class Builder {
         for (const AlongRay& at : met) {
             add_ball_at(ray, at.t, palette_.accent, at.taken ? 6 : 4);
         }
+    }
+
+    /// The walk from the point in the plane over the edges that it crosses.
+    void add_crossings(const CrossingWalk& walk) {
+        const Paint paint{palette_.accent};
+        const auto tube = [&](const Point3& from, const Point3& to, double pixels) {
+            add_tube(out_.solid, {from, pixels * pixel(from), paint},
+                     {to, pixels * pixel(to), paint}, 8);
+        };
+        for (const CrossingWalk::Crossed& crossed : walk.crossed) {
+            tube(crossed.from, crossed.to, 2);
+            inspector::add_ball(out_.solid, crossed.at, 5 * pixel(crossed.at), paint);
+        }
+        if (!walk.crossed.empty()) {
+            const Point3 start = walk.point, last = walk.crossed.back().at;
+            tube(start, last + 0.08 * (last - start), 1.2);
+        }
+        inspector::add_ball(out_.solid, walk.point, 5 * pixel(walk.point),
+                            Paint{palette_.selection});
     }
 
     /// Ways that go on beyond what is seen are cut.
@@ -278,6 +300,11 @@ std::vector<ExplainedMark> explained_marks(const State& state, const Extent& ext
             if (t < 3 * extent.diagonal) {
                 marks.push_back({along(ray.origin, t, ray.direction), std::to_string(counts[k])});
             }
+        }
+    }
+    if (all.crossings) {
+        for (std::size_t k = 0; k < all.crossings->crossed.size(); ++k) {
+            marks.push_back({all.crossings->crossed[k].at, std::to_string(k + 1)});
         }
     }
     for (const AlongRay& met : met_along(state, extent)) {

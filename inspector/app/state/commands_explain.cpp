@@ -54,6 +54,19 @@ template <auto field> bool is_there(const State& state) {
     return (state.explained().*field).has_value();
 }
 
+/// Begun with the polygon named, or with none in particular; ended by the same command.
+void flip_crossings(State& state, std::string_view name) {
+    if (!name.empty() && !has_polygon(state.document()->world(), name)) {
+        throw InputError("", "object", "the scene has no polygon '" + std::string(name) + "'");
+    }
+    const bool on = state.explained().crossings.has_value();
+    change(state, [&](Explained& explained) {
+        explained.crossings = on && name.empty()
+                                  ? std::nullopt
+                                  : std::optional(lesson::CrossingsShown{std::string(name)});
+    });
+}
+
 template <HierarchyKind kind> bool goes_through(const State& state) {
     const auto& shown = state.explained().traversal;
     return shown && shown->kind == kind;
@@ -134,6 +147,9 @@ constexpr Command table[] = {
     {"explain.z_buffer", "Explain", "The z-buffer's answer", "Z",
      "Shows what the z-buffer algorithm does in the pixel.", none, flip<&Explained::z_buffer>,
      has_tree, is_on<&Explained::z_buffer>},
+    {"explain.crossings", "Explain", "The crossing test of a polygon", "",
+     "Shows the edges that are counted from where the selected ray meets a polygon's plane.", none,
+     flip_crossings, has_tree, is_there<&Explained::crossings>},
     {"explain.shower",
      "Explain",
      "Rays from a light",

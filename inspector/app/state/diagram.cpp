@@ -121,7 +121,7 @@ DiagramPlace frame_of(const DiagramBox& box) {
 DiagramPlace light_place(const DiagramBox& box, std::size_t row) {
     constexpr double gap = 8;  // from the frame
     return {box.x + box.card_width + gap,
-            box.y + DiagramSizes::label + DiagramSizes::light_row * static_cast<double>(row) - 4,
+            box.y + DiagramSizes::label + DiagramSizes::light_row * static_cast<double>(row) - 1,
             box.lights_width - gap, DiagramSizes::light_row};
 }
 

@@ -17,12 +17,14 @@ struct Explained {
     std::optional<lesson::TraversalShown> traversal;
     std::optional<lesson::VolumesShown> volumes;
     std::optional<lesson::DepthShown> depth;
+    std::optional<lesson::CrossingsShown> crossings;
     std::optional<TimeShare> time;  ///< where the time goes, as measured when it was asked for
     std::optional<WorkPrecision> accuracy;  ///< run time against error, likewise
 
     bool operator==(const Explained&) const = default;
     bool nothing() const {
-        return !z_buffer && !shower && !traversal && !volumes && !depth && !time && !accuracy;
+        return !z_buffer && !shower && !traversal && !volumes && !depth && !crossings && !time &&
+               !accuracy;
     }
 };
 

@@ -1,5 +1,6 @@
 #include "state/explained_text.h"
 
+#include <array>
 #include <cmath>
 
 #include "state/numbers.h"
@@ -189,15 +190,47 @@ Section z_buffer_section(const State& state, const Explanation& all) {
                                            [](const ZBufferStep& step) { return step.written; });
     for (const ZBufferStep& step : all.z_buffer) {
         const bool seen = last != all.z_buffer.rend() && &step == &*last;
-        section.rows.push_back({{state.document()->scene().objects[step.object].name,
-                                 number_text(step.z), number_text(step.t),
-                                 seen           ? "written, and stays: it is seen"
-                                 : step.written ? "written: nearer than what was there"
-                                                : "not written: farther"},
-                                seen});
+        section.rows.push_back(
+            {{state.document()->scene().objects[step.object].name, number_text(step.z),
+              number_text(step.t),
+              seen                           ? "written, and stays: it is seen"
+              : !step.written                ? "not written: farther"
+              : &step == all.z_buffer.data() ? "written: nothing was there"
+                                             : "written: nearer than what was there"},
+             seen});
     }
     section.sentences = {all.z_buffer.empty() ? "No object covers the pixel."
                                               : "Objects come in the order of the scene."};
+    return section;
+}
+
+/// Corners are counted from 1, as one counts on paper.
+Section crossings_section(const std::optional<CrossingWalk>& walk) {
+    if (!walk) {
+        Section section{"Crossing test", {}, {}, {}, {}};
+        section.sentences = {"The ray meets no polygon's plane."};
+        return section;
+    }
+    constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+    const auto axis = [&](int k) { return std::string(axes[static_cast<std::size_t>(k % 3)]); };
+    const PolygonDerivation& test = walk->test;
+    const std::string u = axis(test.dropped + 1), v = axis(test.dropped + 2);
+    Section section{"Crossing test: " + walk->object, {}, {"", "edge between corners", u}, {}, {}};
+    for (std::size_t k = 0; k < walk->crossed.size(); ++k) {
+        const CrossingWalk::Crossed& crossed = walk->crossed[k];
+        section.rows.push_back({{std::to_string(k + 1),
+                                 std::to_string(crossed.edge + 1) + " and " +
+                                     std::to_string((crossed.edge + 1) % walk->corners + 1),
+                                 number_text(crossed.u)}});
+    }
+    const std::size_t count = walk->crossed.size();
+    section.sentences = {
+        "Plane met at t = " + number_text(test.t) + "; without " + axis(test.dropped) +
+            " the point is " + u + " = " + number_text(test.u) + ", " + v + " = " +
+            number_text(test.v) + (walk->own_space ? ", in the polygon's own space." : "."),
+        "Towards larger " + u + " " + std::to_string(count) +
+            (count == 1 ? " edge is" : " edges are") + " crossed: " +
+            (walk->inside() ? "odd, so the point is inside." : "even, so it is outside.")};
     return section;
 }
 
@@ -211,6 +244,9 @@ std::vector<ExplainedSection> explained_text(const State& state) {
     const Explanation& all = state.explanation();
     if (state.explained().z_buffer && state.tree()) {
         sections.push_back(z_buffer_section(state, all));
+    }
+    if (state.explained().crossings && state.tree()) {
+        sections.push_back(crossings_section(all.crossings));
     }
     if (all.shower) {
         sections.push_back(shower_section(state, *all.shower));

@@ -134,6 +134,9 @@ void take_ray(const ExplanationAsked& asked, const Known& known, Explanation& al
     if (explained.z_buffer) {
         all.z_buffer = z_buffer_at(document.world(), asked.pixel.i, asked.pixel.j);
     }
+    if (explained.crossings) {
+        all.crossings = crossing_walk(document.world(), ray, explained.crossings->object);
+    }
 }
 
 /// What may be shown of the old until the new has come.

@@ -16,6 +16,7 @@
 #include "trace/light_shower.h"
 #include "trace/shadow_volume.h"
 #include "trace/z_buffer.h"
+#include "tree/crossing_walk.h"
 
 namespace raytree::inspector {
 
@@ -43,6 +44,7 @@ struct Explanation {
     std::optional<VolumeCount> volume_count;    ///< along it, up to its hit
     std::optional<DepthComparison> comparison;  ///< at the selected ray's hit
     std::vector<ZBufferStep> z_buffer;
+    std::optional<CrossingWalk> crossings;
 };
 
 /// What is to be explained.

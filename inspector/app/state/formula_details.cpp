@@ -45,8 +45,9 @@ DetailSection pixel_section(const State& state) {
         triple("Vx", rays.right().vec()),
         triple("Vy", rays.up()),
         triple("Vz", rays.forward().vec()),
-        triple("xp Vx+yp Vy+Vz", rays.forward().vec() + x * rays.right().vec() + y * rays.up()),
+        triple("P − E", rays.forward().vec() + x * rays.right().vec() + y * rays.up()),
         triple("at length 1", document.world().camera.primary(pixel.i, pixel.j).direction)};
+    section.sentences = {"P − E = xp Vx + yp Vy + Vz"};
     return section;
 }
 
@@ -61,15 +62,17 @@ DetailSection reflection_section(const TreeRay<double>& ray) {
     const Vec3<double> direction = ray.direction;
     const Vec3<double> normal = ray.hit->normal;
     section.rows = {axes(), triple("d", direction), triple("n", normal), number("d·n", cosine),
-                    triple("r = d − 2(d·n)n", direction - 2 * cosine * normal)};
+                    triple("r", direction - 2 * cosine * normal)};
+    section.sentences = {"r = d − 2 (d · n) n"};
     return section;
 }
 
 DetailSection attenuation_section(const State& state, const TreeRay<double>& ray) {
     const Attenuation& c = state.document()->scene().settings.attenuation;
     DetailSection section{attenuation_title, {}, {}};
-    section.rows = {words("f(t)", "1 / (a + b·t + c·t²)"), number("a", c.a), number("b", c.b),
-                    number("c", c.c), number("f of the ray", ray.attenuation)};
+    section.rows = {number("a", c.a), number("b", c.b), number("c", c.c),
+                    number("f of the ray", ray.attenuation)};
+    section.sentences = {"f = min(1, 1 / (a + b t + c t²))"};
     if (ray.hit) {
         section.rows.insert(section.rows.end() - 1, number("t", ray.hit->t));
     }

@@ -45,7 +45,7 @@ void take_look(Look& look, const lesson::Show& show) {
 }
 
 /// The tab of the tree's pane that a step wants in front.
-TreePane::Tab tab_of(const lesson::Show& show, TreePane::Tab now) {
+TreePane::Tab tab_of(const lesson::Show& show) {
     if (show.panel == lesson::Panel::diagram) {
         return TreePane::Tab::diagram;
     }
@@ -59,11 +59,11 @@ TreePane::Tab tab_of(const lesson::Show& show, TreePane::Tab now) {
         return TreePane::Tab::explained;
     }
     const bool explains = show.z_buffer || show.shower || show.traversal || show.volumes ||
-                          show.depth || show.time || show.accuracy;
+                          show.depth || show.crossings || show.time || show.accuracy;
     if (explains) {
         return TreePane::Tab::explained;
     }
-    return now == TreePane::Tab::explained ? TreePane::Tab::outline : now;  // it would be empty
+    return TreePane::Tab::outline;
 }
 
 }  // namespace
@@ -118,6 +118,7 @@ Explained State::explained_by(const lesson::Show& show) const {
             show.traversal,
             show.volumes,
             show.depth,
+            show.crossings,
             show.time ? std::optional(lesson_->time_share()) : std::nullopt,
             show.accuracy ? std::optional(lesson_->work_precision()) : std::nullopt};
 }
@@ -150,7 +151,7 @@ void State::stage(const lesson::Show& show) {
     change_look([&](Look& look) { take_look(look, show); });
     explain([&](Explained& explained) { explained = explained_by(show); });
     TreePane pane = tree_pane_;
-    pane.tab = tab_of(show, pane.tab);
+    pane.tab = tab_of(show);
     change_tree_pane(pane);
     take_view(show.view);
 }

@@ -116,9 +116,16 @@ void LessonPane::obey(const Changes& changes) {
         const bool lists = state_.lesson_side() == LessonSide::contents;
         setCurrentIndex(lists ? 0 : 1);
         lists ? show_list() : show_step();
-    } else if (changes.selection || changes.tree) {
+    } else if ((changes.selection || changes.tree) && shows_step()) {
         question_->refresh();
     }
+}
+
+/// While the state goes on to another step its views change before the pane has that step's
+/// question.
+bool LessonPane::shows_step() const {
+    const LessonRun* const run = state_.lesson();
+    return run && run == shown_ && run->step() == step_;
 }
 
 void LessonPane::show_list() {

@@ -29,6 +29,7 @@ class LessonPane : public QStackedWidget {
     void show_list();
     void show_step();
     void scroll_to_verdict();
+    bool shows_step() const;
 
     State& state_;
     QuestionBox::Run run_;

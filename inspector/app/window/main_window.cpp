@@ -210,8 +210,9 @@ void MainWindow::share_room() {
                     Qt::Vertical);
     }
     tall_tree_ = state_.tree_pane().tall;
-    const int below = tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
-                                 : std::clamp(static_cast<int>(height() * 0.36), 160, 480);
+    const int below =
+        tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
+                   : std::clamp(static_cast<int>(height() * (teaches ? 0.4 : 0.36)), 160, 480);
     constexpr int legend = 90;  // of an overlay, below the picture
     const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend : 0),
                                  static_cast<int>(height() * (overlaid_ ? 0.55 : 0.5)));

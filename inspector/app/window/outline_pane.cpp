@@ -213,10 +213,12 @@ void OutlinePane::size_columns() {
             rest -= width_for(column);
         }
     }
-    rest = std::max(rest, fontMetrics().averageCharWidth() * 60);
-    setColumnWidth(static_cast<int>(Column::ray), static_cast<int>(rest * (reasons ? 0.39 : 0.55)));
-    setColumnWidth(static_cast<int>(Column::met), static_cast<int>(rest * (reasons ? 0.29 : 0.45)));
-    setColumnWidth(static_cast<int>(Column::ended), static_cast<int>(rest * 0.32));
+    rest = std::max(rest, fontMetrics().averageCharWidth() * 50);
+    setColumnWidth(static_cast<int>(Column::ray),
+                   static_cast<int>(rest * (reasons ? 0.385 : 0.55)));
+    setColumnWidth(static_cast<int>(Column::met),
+                   static_cast<int>(rest * (reasons ? 0.315 : 0.45)));
+    setColumnWidth(static_cast<int>(Column::ended), static_cast<int>(rest * 0.3));
 }
 
 }  // namespace raytree::inspector

@@ -148,12 +148,15 @@ void PicturePane::draw_image(QPainter& painter) const {
 void PicturePane::draw_grid(QPainter& painter) const {
     const QSizeF size = picture_size() * scale_;
     painter.setPen(QPen(QColor(128, 128, 128, 70), 1));
-    const double first_x = origin_.x() + std::floor(-origin_.x() / scale_) * scale_;
+    const auto first = [this](double at) {  // the first line that can be seen
+        return at + std::max(0.0, std::floor(-at / scale_)) * scale_;
+    };
+    const double first_x = first(origin_.x());
     for (double x = first_x; x < std::min<double>(width(), origin_.x() + size.width());
          x += scale_) {
         painter.drawLine(QPointF(x, origin_.y()), QPointF(x, origin_.y() + size.height()));
     }
-    const double first_y = origin_.y() + std::floor(-origin_.y() / scale_) * scale_;
+    const double first_y = first(origin_.y());
     for (double y = first_y; y < std::min<double>(height(), origin_.y() + size.height());
          y += scale_) {
         painter.drawLine(QPointF(origin_.x(), y), QPointF(origin_.x() + size.width(), y));

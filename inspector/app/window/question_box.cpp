@@ -56,6 +56,7 @@ void QuestionBox::renew() {
     content_ = nullptr;
     result_ = nullptr;
     tell_ = again_ = nullptr;
+    number_ = nullptr;
     slider_ = nullptr;
     field_ = nullptr;
     const LessonRun* const run = state_.lesson();
@@ -79,6 +80,7 @@ void QuestionBox::renew() {
     for (QPushButton* const button : {tell_, again_}) {
         button->setObjectName(QStringLiteral("quiet"));
     }
+    again_->hide();
     buttons->addStretch(1);
     rows->addLayout(buttons);
     result_ = add_text(rows, {});
@@ -105,6 +107,7 @@ void QuestionBox::add_number(QVBoxLayout* rows) {
     auto* const field = new QLineEdit;
     field->setPlaceholderText(QStringLiteral("a number"));
     field->setAccessibleName(QStringLiteral("Your answer, a number"));
+    number_ = field;
     auto* const button = new QPushButton(QStringLiteral("Answer"));
     button->setEnabled(false);
     connect(field, &QLineEdit::textChanged, button, [button](const QString& text) {
@@ -199,6 +202,10 @@ void QuestionBox::refresh() {
         show_value();
     }
     const LessonAnswer* const given = state_.lesson()->answer();
+    if (number_ && !given && again_->isVisibleTo(this)) {  // asked again: nothing is typed yet
+        number_->clear();
+        number_->setFocus();
+    }
     tell_->setVisible(!given);
     again_->setVisible(given != nullptr);
     result_->setVisible(given != nullptr);

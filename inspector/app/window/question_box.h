@@ -49,6 +49,7 @@ class QuestionBox : public QFrame {
     QWidget* content_ = nullptr;
     QLabel* result_ = nullptr;
     QPushButton *tell_ = nullptr, *again_ = nullptr;
+    QLineEdit* number_ = nullptr;
     QSlider* slider_ = nullptr;  ///< of a value, as is the field
     QDoubleSpinBox* field_ = nullptr;
     QTimer trying_;  ///< runs out when the slider rests for a moment

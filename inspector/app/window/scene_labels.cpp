@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "drawing/angles.h"
 #include "drawing/explained_mesh.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
+#include "state/marked_texts.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -64,10 +66,10 @@ SceneLegend legend_of(const State& state, const std::vector<RayPath>& paths) {
         legend.looks[static_cast<std::size_t>(path.look)] = true;
         legend.open |= path.end == RayPath::End::open;
     }
-    legend.unsent = state.look().ghosts && state.tree() &&
-                    std::ranges::any_of(state.tree()->tree.rays, [](const TreeRay<double>& ray) {
-                        return !ray.skipped.empty();
-                    });
+    const TreeRay<double>* const ray = state.look().ghosts ? state.selected() : nullptr;
+    legend.unsent = ray && can_derive(*state.tree(), ray->id, state.playback()) &&
+                    has_ghosts(state.document()->scene(), *ray,
+                               state.playback() ? &*state.playback() : nullptr);
     return legend;
 }
 

@@ -340,7 +340,8 @@ void ScenePane::prepare_rays() {
         if (can_derive(tree, ray, state_.playback())) {
             angles = angle_drawing({*state_.document(), tree, ray, extent_, view_, palette,
                                     state_.look().angles, state_.look().ghosts,
-                                    state_.playback() ? &*state_.playback() : nullptr});
+                                    state_.playback() ? &*state_.playback() : nullptr,
+                                    state_.look().filter});
         }
     }
     add_thin(rays.lines, beside_, palette);
