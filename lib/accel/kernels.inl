@@ -56,3 +56,7 @@ inline constexpr Kernels all_kernels = {
     follow_in_packets<false, std::span<Hit<double>>>,
     follow_in_packets<true, std::span<std::uint8_t>>,
 };
+
+bool may_meet_between(const WideBvh& bvh, Kernels::Queries queries) {
+    return !bvh.empty() && may_meet(bvh, Shaft(bvh, queries));
+}

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "accel/kernels.h"
+#include "accel/space_between.h"
 
 // All that follows is compiled for AVX2, and nothing that other files compile as well: what the
 // headers above define was declared before.

@@ -7,6 +7,7 @@
 
 #include "accel/kernels.h"
 #include "accel/simd_plain.h"
+#include "accel/space_between.h"
 
 namespace raytree::plain {
 #include "accel/kernels.inl"

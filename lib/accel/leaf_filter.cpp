@@ -97,8 +97,11 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
                 row[(3 + k) * n + lane] = static_cast<float>(shape.axis.vec()[axis]);
             }
             const double apex_radius = shape.base_radius + shape.slope * shape.height;
-            row[6 * n + lane] =
-                static_cast<float>(std::max(shape.base_radius, apex_radius) * scale_);
+            // Besides, the height and the radius of a sphere around the middle that holds it.
+            const double radius = std::max(shape.base_radius, apex_radius);
+            row[6 * n + lane] = static_cast<float>(radius * scale_);
+            row[7 * n + lane] = static_cast<float>(shape.height * scale_);
+            row[8 * n + lane] = static_cast<float>(std::hypot(shape.height / 2, radius) * scale_);
         }
     }
 }

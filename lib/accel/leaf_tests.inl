@@ -1,8 +1,18 @@
 // What a ray meets in a leaf: filtered in float, met in double. Part of kernels.inl.
 
-/// The triangles of a leaf that the ray's line may pass through: Woop's test in float, an edge
-/// function counting as 0 where rounding may have made its sign. With E the bound on a coordinate's
-/// error and S the sum of the six coordinates' sizes, an edge function's is under 2 E S + 4 E^2.
+/// Where the origin may be in the triangle of the points (x, y), an edge function counting as 0
+/// where rounding may have made its sign. With E the bound on a coordinate's error and S the sum of
+/// the six coordinates' sizes, an edge function's is under 2 E S + 4 E^2.
+inline unsigned may_enclose_origin(const F8 (&x)[3], const F8 (&y)[3], const F8& size, float e) {
+    const F8 e0 = multiply_subtract(x[2], y[1], y[2] * x[1]);
+    const F8 e1 = multiply_subtract(x[0], y[2], y[0] * x[2]);
+    const F8 e2 = multiply_subtract(x[1], y[0], y[1] * x[0]);
+    const F8 error = multiply_add(size, F8::all(2 * e), F8::all(4 * e * e));
+    return less_equal(max(max(e0, e1), e2), error) |
+           less_equal(F8::all(0) - error, min(min(e0, e1), e2));
+}
+
+/// The triangles of a leaf that the ray's line may pass through: Woop's test in float.
 inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
@@ -17,14 +27,7 @@ inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller
         y[k] = subtract_product(coordinate(1), F8::all(ray.shear_y), z);
         size = size + (abs(x[k]) + abs(y[k]));
     }
-    const F8 e0 = multiply_subtract(x[2], y[1], y[2] * x[1]);
-    const F8 e1 = multiply_subtract(x[0], y[2], y[0] * x[2]);
-    const F8 e2 = multiply_subtract(x[1], y[0], y[1] * x[0]);
-    const F8 error = multiply_add(size, F8::all(2 * ray.error),
-                                  F8::all(4 * ray.error * ray.error));
-    const F8 zero = F8::all(0);
-    return less_equal(max(max(e0, e1), e2), error) |
-           less_equal(zero - error, min(min(e0, e1), e2));
+    return may_enclose_origin(x, y, size, ray.error);
 }
 
 /// The triangles of a leaf whose planes the ray may meet between its start and its limit: the
@@ -63,15 +66,12 @@ inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Travelle
             less_equal(ahead, multiply_add(F8::all(ray.limit), abs(speed) + q, error)));
 }
 
-/// The spheres of a leaf whose centre the ray may pass within a radius. The centre's distance has
-/// an error of some roundings of |c - o|, the bound taken is twice a coordinate's.
-inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
-    const std::size_t n = leaf.count();
-    const float* const rows = filter.of_leaf(leaf);
-    F8 from[3];
+/// Whether the ray may pass spheres about `from`, seen from its origin, within their radii. The
+/// distance of a centre has an error of some roundings of |c - o|, the bound taken is twice a
+/// coordinate's.
+inline unsigned pass_within(const F8 (&from)[3], const F8& radius, const Traveller& ray) {
     F8 along = F8::all(0);
     for (std::size_t k = 0; k < 3; ++k) {
-        from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
         along = multiply_add(from[k], F8::all(ray.direction[k]), along);
     }
     F8 square = F8::all(0);
@@ -79,20 +79,38 @@ inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Travell
         const F8 across = subtract_product(from[k], along, F8::all(ray.direction[k]));
         square = multiply_add(across, across, square);
     }
-    const F8 reach = F8::load(rows + 3 * n) * F8::all(1 + 0x1p-20F) + F8::all(3 * ray.error);
+    const F8 reach = multiply_add(radius, F8::all(1 + 0x1p-20F), F8::all(3 * ray.error));
     return less_equal(square, reach * reach) & less_equal(F8::all(0) - reach, along) &
            less_equal(along - reach, F8::all(ray.limit));
 }
 
-/// The cones of a leaf whose axis the ray's line may pass within the larger radius. With w = d x a
-/// the lines' distance is |(b - o) . w| / |w|, its numerator's error some roundings of |b - o|.
+/// The spheres of a leaf whose centre the ray may pass within a radius.
+inline unsigned filter_spheres(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const std::size_t n = leaf.count();
+    const float* const rows = filter.of_leaf(leaf);
+    F8 from[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
+    }
+    return pass_within(from, F8::load(rows + 3 * n), ray);
+}
+
+/// The cones of a leaf which the ray may pass within the sphere around them, and its line within
+/// the larger radius of their axis. With w = d x a the lines' distance is |(b - o) . w| / |w|, its
+/// numerator's error some roundings of |b - o|.
 inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
-    F8 from[3], axis[3];
+    const F8 half = F8::load(rows + 7 * n) * F8::all(0.5F);
+    F8 from[3], axis[3], middle[3];
     for (std::size_t k = 0; k < 3; ++k) {
         from[k] = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
         axis[k] = F8::load(rows + (3 + ray.axis[k]) * n);
+        middle[k] = multiply_add(axis[k], half, from[k]);
+    }
+    const unsigned near = pass_within(middle, F8::load(rows + 8 * n), ray);
+    if (near == 0) {
+        return 0;
     }
     F8 distance = F8::all(0), square = F8::all(0);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -103,8 +121,8 @@ inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller
         square = multiply_add(across, across, square);
     }
     const F8 radius = F8::load(rows + 6 * n) * F8::all(1 + 0x1p-20F);
-    return less_equal(abs(distance),
-                      multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
+    return near & less_equal(abs(distance), multiply_add(radius, square_root(square),
+                                                         F8::all(4 * ray.error)));
 }
 
 /// Which shapes of a leaf are to be met in double, a bit for each.
@@ -154,6 +172,12 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
     return intersect(searched.filter.cone_of(leaf, lane), ray.query->ray, start);
 }
 
+/// A shape that has no copy.
+[[gnu::flatten]] inline Roots<double> meet_other(const ShapeSet<double>& shapes, PrimitiveId id,
+                                                 const Query<double>& query) {
+    return shapes.intersect(id, query.ray, query.leaving);
+}
+
 /// The shape at a lane of a leaf, met in double.
 inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
                           const Traveller& ray) {
@@ -169,32 +193,41 @@ inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
         case LeafFilter::cone:
             return meet_cone(searched, leaf, lane, ray, start);
         default:
-            return searched.shapes->intersect(id(), ray.query->ray, leaving);
+            return meet_other(*searched.shapes, id(), *ray.query);
     }
+}
+
+/// Meets the shape at a lane of a leaf; true where nothing more is to be looked for.
+template <bool any_will_do>
+inline bool meet_lane(const Searched& searched, Ref leaf, std::size_t lane, Traveller& ray) {
+    const Query<double>& query = *ray.query;
+    const Roots<double> roots = meet(searched, leaf, lane, ray);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
+        if (!query.interval.contains(roots.t[k]) || roots.t[k] > ray.best.t) {
+            continue;
+        }
+        const Hit<double> hit{roots.t[k], searched.bvh.items()[leaf.first() + lane]};
+        if (hit < ray.best) {
+            ray.best = hit;
+            if constexpr (any_will_do) {
+                return true;
+            }
+            ray.end = hit.t;
+            if (ray.ready_for_boxes) {
+                ray.limit = ray.box.upper(hit.t);
+            }
+        }
+    }
+    return false;
 }
 
 /// Meets the shapes of a leaf; true where nothing more is to be looked for.
 template <bool any_will_do>
 inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
-    const Query<double>& query = *ray.query;
     for (unsigned left = filter_leaf(searched.filter, leaf, ray); left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        const Roots<double> roots = meet(searched, leaf, lane, ray);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(roots.count); ++k) {
-            if (!query.interval.contains(roots.t[k]) || roots.t[k] > ray.best.t) {
-                continue;
-            }
-            const Hit<double> hit{roots.t[k], searched.bvh.items()[leaf.first() + lane]};
-            if (hit < ray.best) {
-                ray.best = hit;
-                if constexpr (any_will_do) {
-                    return true;
-                }
-                ray.end = hit.t;
-                if (ray.ready_for_boxes) {
-                    ray.limit = ray.box.upper(hit.t);
-                }
-            }
+        if (meet_lane<any_will_do>(searched, leaf, lane, ray)) {
+            return true;
         }
     }
     return false;

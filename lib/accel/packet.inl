@@ -1,6 +1,7 @@
 // Rays that go much the same way, side by side. Part of kernels.inl.
 
-/// Sixteen rays side by side. A node's children are first tested with bounds on all of them at
+/// Sixteen rays together: as one, and where they go too far apart for that, side by side. Then a
+/// node's children are first tested with bounds on all of them at
 /// once, then each that may be met with every ray.
 template <bool any_will_do> class Packet {
   public:
@@ -15,13 +16,8 @@ template <bool any_will_do> class Packet {
         for (std::size_t k = 0; k < count; ++k) {
             begin(together[k], rays_[k]);
         }
-        if (few_.find(searched_.bvh, Shaft(searched_.bvh, together))) {
-            for (const FewLeaves::Leaf& leaf : few_.leaves()) {
-                if (!all_leave_plane(together, leaf.ref)) {
-                    meet_all(leaf, count);
-                }
-            }
-        } else {
+        active_ = (1U << count) - 1;
+        if (!travel_as_one(together)) {
             travel_side_by_side(count);
         }
         for (std::size_t k = 0; k < count; ++k) {
@@ -32,43 +28,132 @@ template <bool any_will_do> class Packet {
   private:
     /// Below so many rays each goes alone.
     static constexpr int fewest = 3;
+    /// As much do all rays together look for before they go side by side, in units of half a node.
+    static constexpr int most_work = 64;
 
-    /// Whether the leaf is one polygon and all rays start on it, so that none meets it.
-    bool all_leave_plane(Kernels::Queries queries, Ref leaf) const {
-        const PrimitiveId id = searched_.bvh.items()[leaf.first()];
-        return leaf.kind() == LeafFilter::other && leaf.count() == 1 &&
-               (*searched_.shapes)[id].kind == ShapeKind::polygon &&
-               std::ranges::all_of(queries, [&](const auto& q) { return q.leaving == id; });
+    /// Follows the space around all rays, so that none needs to be prepared for boxes. False where
+    /// that comes upon so much that it no longer pays; what is left then waits.
+    bool travel_as_one(Kernels::Queries queries) {
+        Shaft shaft(searched_.bvh, queries);
+        has_lines_ = false;
+        waiting_.top = 0;
+        waiting_.push(0, Ref::to_node(0));
+        for (int work = 0; waiting_.top > 0 && active_ != 0;) {
+            if (work > most_work) {
+                return false;
+            }
+            const std::size_t place = --waiting_.top;
+            const Ref next = Ref::of(waiting_.ref[place]);
+            if (waiting_.near[place] > shaft.limit()) {
+                continue;
+            }
+            if (!next.is_leaf()) {
+                push_children(searched_.bvh.nodes()[next.node()], shaft);
+                work += 2;
+            } else if (next.kind() == LeafFilter::other) {
+                for (std::size_t lane = 0; lane < next.count(); ++lane) {
+                    meet_some(next, lane, active_, shaft);
+                }
+                work += 1;
+            } else {
+                work += 3 + meet_few(next, queries, shaft);
+            }
+        }
+        return true;
     }
 
-    void meet_all(const FewLeaves::Leaf& leaf, std::size_t count) {
-        for (std::size_t k = 0; k < count; ++k) {
-            Traveller& ray = rays_[k];
-            if (any_will_do && ray.best.primitive != no_primitive) {
-                continue;
+    /// The nearest on top.
+    void push_children(const WideBvh::Node& node, const Shaft& shaft) {
+        F8 entered;
+        unsigned met = shaft.enter_children(node, entered);
+        std::array<float, 8> near;
+        entered.store(near.data());
+        const std::size_t bottom = waiting_.top;
+        for (; met != 0; met &= met - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(met));
+            std::size_t place = waiting_.top++;
+            for (; place > bottom && waiting_.near[place - 1] < near[k]; --place) {
+                waiting_.near[place] = waiting_.near[place - 1];
+                waiting_.ref[place] = waiting_.ref[place - 1];
             }
-            if (static_cast<double>(leaf.near) > ray.end * searched_.bvh.scale()) {
-                continue;
-            }
-            if (!ray.ready_for_leaves && leaf.ref.kind() != LeafFilter::other) {
-                make_ready_for_boxes(searched_, ray);
-                make_ready_for_leaves(searched_, ray);
-            }
-            meet_leaf<any_will_do>(searched_, leaf.ref, ray);
+            waiting_.near[place] = near[k];
+            waiting_.ref[place] = std::bit_cast<std::uint32_t>(node.child[k]);
         }
+    }
+
+    /// Meets those shapes of a leaf that the rays may meet; returns how many these are.
+    int meet_few(Ref leaf, Kernels::Queries queries, Shaft& shaft) {
+        const LeafShapes shapes(searched_, leaf);
+        F8 near;
+        const unsigned met = shaft.enter(shapes.planes.data(), near) & all_lanes(leaf);
+        if (met != 0 && !has_lines_) {
+            lines_.set(searched_, queries);
+            has_lines_ = true;
+            for (std::size_t k = 0; k < queries.size(); ++k) {
+                lines_.set_limit(k, rays_[k].end * searched_.bvh.scale());
+            }
+        }
+        for (unsigned left = met; left != 0; left &= left - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+            unsigned some = lines_.pass(shapes, lane) & active_;
+            if (some != 0 && leaf.kind() != LeafFilter::sphere) {
+                some &= leaf.kind() == LeafFilter::triangle ? lines_.pass_triangle(shapes, lane)
+                                                            : lines_.pass_cone(shapes, lane);
+            }
+            meet_some(leaf, lane, some, shaft);
+        }
+        return std::popcount(met);
+    }
+
+    /// Meets one shape with some of the rays.
+    void meet_some(Ref leaf, std::size_t lane, unsigned some, Shaft& shaft) {
+        const PrimitiveId id = searched_.bvh.items()[leaf.first() + lane];
+        const bool is_planar = planar(leaf, id);
+        bool nearer = false;
+        for (; some != 0; some &= some - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(some));
+            Traveller& ray = rays_[k];
+            if (is_planar && ray.query->leaving == id) {
+                continue;
+            }
+            if (leaf.kind() == LeafFilter::triangle && !ray.has_frame) {
+                set_frame(ray);
+            }
+            const double end = ray.end;
+            if (meet_lane<any_will_do>(searched_, leaf, lane, ray)) {
+                active_ &= ~(1U << k);
+            } else if (ray.end < end && has_lines_) {
+                lines_.set_limit(k, ray.end * searched_.bvh.scale());
+                nearer = true;
+            }
+        }
+        if (nearer) {
+            shaft.lower(lines_.farthest(active_));
+        }
+    }
+
+    /// Whether no ray that starts on the shape meets it again.
+    bool planar(Ref leaf, PrimitiveId id) const {
+        if (leaf.kind() != LeafFilter::other) {
+            return leaf.kind() == LeafFilter::triangle;
+        }
+        const ShapeKind kind = (*searched_.shapes)[id].kind;
+        return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
     }
 
     void travel_side_by_side(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             make_ready_for_boxes(searched_, rays_[k]);
         }
-        for (unsigned left = (1U << count) - 1; left != 0;) {
+        const std::size_t rest = waiting_.top;
+        std::copy_n(waiting_.ref.begin(), rest, rest_.begin());
+        for (unsigned left = active_; left != 0;) {
             const Traveller& one = rays_[static_cast<std::size_t>(std::countr_zero(left))];
             unsigned alike = 0;
             for (std::size_t k = 0; k < count; ++k) {
                 alike |= (rays_[k].order_shift == one.order_shift ? 1U : 0U) << k;
             }
-            travel_together(alike & left, one);
+            travel_together(alike & left, one, rest);
             left &= ~alike;
         }
     }
@@ -152,12 +237,13 @@ template <bool any_will_do> class Packet {
         return met;
     }
 
-    void travel_together(unsigned group, const Traveller& one) {
+    void travel_together(unsigned group, const Traveller& one, std::size_t rest) {
         gather(group, one);
         active_ = group;
-        waiting_.top = 0;
-        waiting_.push(0, Ref::to_node(0));
-        groups_[0] = group;
+        for (waiting_.top = 0; waiting_.top < rest;) {
+            groups_[waiting_.top] = group;
+            waiting_.push(0, Ref::of(rest_[waiting_.top]));
+        }
         while (waiting_.top > 0 && active_ != 0) {
             const std::size_t place = --waiting_.top;
             const Ref next = Ref::of(waiting_.ref[place]);
@@ -232,7 +318,8 @@ template <bool any_will_do> class Packet {
     }
 
     const Searched& searched_;
-    FewLeaves few_;
+    Lines lines_;
+    bool has_lines_ = false;
     std::array<Traveller, most> rays_;
     std::array<std::array<float, most>, 3> inverse_, near_bias_, far_bias_;
     std::array<float, most> limit_;
@@ -244,4 +331,5 @@ template <bool any_will_do> class Packet {
     Waiting<false> waiting_;  ///< of the packet, in order in any case
     Waiting<any_will_do> alone_;
     std::array<unsigned, Waiting<false>::places> groups_;
+    std::array<std::uint32_t, Waiting<false>::places> rest_;
 };

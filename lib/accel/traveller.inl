@@ -22,14 +22,22 @@ struct Traveller {
     const Query<double>* query = nullptr;
     double end = 0;  ///< hits are looked for at t <= end
     Hit<double> best{Real<double>::infinity, no_primitive};
-    bool ready_for_boxes = false, ready_for_leaves = false;
+    bool ready_for_boxes = false, ready_for_leaves = false, has_frame = false;
 };
 
 inline void begin(const Query<double>& query, Traveller& ray) {
     ray.query = &query;
     ray.end = query.interval.to;
     ray.best = {Real<double>::infinity, no_primitive};
-    ray.ready_for_boxes = ray.ready_for_leaves = false;
+    ray.ready_for_boxes = ray.ready_for_leaves = ray.has_frame = false;
+}
+
+/// What triangles are met with.
+inline void set_frame(Traveller& ray) {
+    std::construct_at(&ray.frame, ray.query->ray.direction);
+    ray.axis = {static_cast<std::size_t>(ray.frame.x), static_cast<std::size_t>(ray.frame.y),
+                static_cast<std::size_t>(ray.frame.z)};
+    ray.has_frame = true;
 }
 
 inline void make_ready_for_boxes(const Searched& searched, Traveller& ray) {
@@ -50,9 +58,7 @@ inline void make_ready_for_boxes(const Searched& searched, Traveller& ray) {
 /// What the leaves need besides.
 inline void make_ready_for_leaves(const Searched& searched, Traveller& ray) {
     const Vec3<double>& d = ray.query->ray.direction;
-    std::construct_at(&ray.frame, d);
-    ray.axis = {static_cast<std::size_t>(ray.frame.x), static_cast<std::size_t>(ray.frame.y),
-                static_cast<std::size_t>(ray.frame.z)};
+    set_frame(ray);
     const Vec3<double> o = searched.filter.origin_of(ray.box);
     constexpr double farthest = 1e18;  // products stay finite; the error is far larger there
     for (std::size_t k = 0; k < 3; ++k) {

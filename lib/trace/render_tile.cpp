@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <span>
 #include <vector>
 
+#include "accel/space_between.h"
 #include "trace/tracer.h"
 
 namespace raytree {

@@ -7,7 +7,7 @@ namespace {
 /// take one's code for the other's.
 template <class T> struct Silent : NoRecorder<T> {};
 
-/// Traces 4 x 4 pixels at a time. Their primary rays are followed together, and so are those from
+/// Traces 4 x 4 pixels at a time, the blocks of a tile one after the other. Their primary rays are followed together, and so are those from
 /// what they hit to each light; then their trees are grown one by one.
 template <class T, Facts facts> class BlockTracer {
   public:
@@ -22,7 +22,66 @@ template <class T, Facts facts> class BlockTracer {
           lights_(asks_lights_ ? most * world.lights.size() : 0),
           hidden_(lights_.size()) {}
 
-    void trace(const PictureTile& pixels) {
+    /// A tile of any size. Where nothing lies in the space that its primary rays pass through, none
+    /// is sent.
+    void trace(const PictureTile& tile) {
+        if (only_background(tile)) {
+            for (int j = tile.begin_j; j < tile.end_j; ++j) {
+                std::fill_n(&pixel(tile.begin_i, j), tile.end_i - tile.begin_i,
+                            rgb_cast<double>(world_.background));
+            }
+            return;
+        }
+        const bool one_block =
+            std::max(tile.end_i - tile.begin_i, tile.end_j - tile.begin_j) <= side;
+        if (one_block) {
+            trace_block(tile);
+            return;
+        }
+        const auto middle = [](int begin, int end) {
+            return std::min(end, begin + std::max(side, (end - begin + 1) / 2 / side * side));
+        };
+        const int i = middle(tile.begin_i, tile.end_i), j = middle(tile.begin_j, tile.end_j);
+        for (const PictureTile& part :
+             {PictureTile{tile.begin_i, i, tile.begin_j, j}, PictureTile{i, tile.end_i, tile.begin_j, j},
+              PictureTile{tile.begin_i, i, j, tile.end_j}, PictureTile{i, tile.end_i, j, tile.end_j}}) {
+            if (part.begin_i < part.end_i && part.begin_j < part.end_j) {
+                trace(part);
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t most = side * side;
+
+    Rgb<double>& pixel(int i, int j) {
+        return picture_.pixels[static_cast<std::size_t>(j) *
+                                   static_cast<std::size_t>(picture_.width) +
+                               static_cast<std::size_t>(i)];
+    }
+
+    /// Whether all primary rays of a tile pass beside everything: by those at its corners, in
+    /// double.
+    bool only_background(const PictureTile& tile) const {
+        if constexpr (std::same_as<T, double>) {
+            const CameraRays<double>& camera = world_.camera;
+            std::array<Query<double>, 4> corners;
+            std::size_t k = 0;
+            for (const int j : {tile.begin_j, tile.end_j - 1}) {
+                for (const int i : {tile.begin_i, tile.end_i - 1}) {
+                    Ray<double>& ray = corners[k++].ray;
+                    ray = camera.primary(i, j);
+                    ray.direction = camera.forward().vec() +
+                                    along(Vec3<double>(camera.xp(i) * camera.right().vec()),
+                                          camera.yp(j), camera.up());
+                }
+            }
+            return !may_meet_between(world_.shapes.hierarchy(), corners);
+        }
+        return false;
+    }
+
+    void trace_block(const PictureTile& pixels) {
         count_ = 0;
         for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
             for (int i = pixels.begin_i; i < pixels.end_i; ++i) {
@@ -39,17 +98,10 @@ template <class T, Facts facts> class BlockTracer {
         std::size_t k = 0;
         for (int j = pixels.begin_j; j < pixels.end_j; ++j) {
             for (int i = pixels.begin_i; i < pixels.end_i; ++i, ++k) {
-                const std::size_t place = static_cast<std::size_t>(j) *
-                                              static_cast<std::size_t>(picture_.width) +
-                                          static_cast<std::size_t>(i);
-                picture_.pixels[place] =
-                    rgb_cast<double>(tracer_.trace_pixel(i, j, answers_[k]));
+                pixel(i, j) = rgb_cast<double>(tracer_.trace_pixel(i, j, answers_[k]));
             }
         }
     }
-
-  private:
-    static constexpr std::size_t most = side * side;
 
     void ask_lights() {
         const std::size_t lights = asks_lights_ ? world_.lights.size() : 0;
@@ -107,14 +159,7 @@ template <class T, Facts facts> class BlockTracer {
 
 template <class T, Facts facts>
 void trace_tile(const World<T>& world, const PictureTile& tile, Picture& picture) {
-    constexpr int side = BlockTracer<T, facts>::side;
-    BlockTracer<T, facts> tracer(world, picture);
-    for (int j = tile.begin_j; j < tile.end_j; j += side) {
-        for (int i = tile.begin_i; i < tile.end_i; i += side) {
-            tracer.trace(
-                {i, std::min(i + side, tile.end_i), j, std::min(j + side, tile.end_j)});
-        }
-    }
+    BlockTracer<T, facts>(world, picture).trace(tile);
 }
 
 template <class T, ShapeFacts shapes> TileTracer<T> choose_by_branches(const Plan& plan) {

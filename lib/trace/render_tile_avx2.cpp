@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "accel/space_between.h"
 #include "scene/input_error.h"
 #include "trace/media.h"
 #include "trace/recorder.h"

@@ -2,11 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "accel/growing_hierarchy.h"
 #include "accel/intersector.h"
+#include "accel/space_between.h"
 #include "support/scenes.h"
 
 using namespace raytree;
@@ -47,6 +49,20 @@ void check_growing(const Subject& s, const std::vector<Query<double>>& queries,
     CHECK(differ == 0);
 }
 
+/// How many instruction sets that the processor has say that something may lie between the queries.
+std::size_t may_meet(const WideBvh& bvh, Kernels::Queries queries) {
+    std::size_t count = plain::may_meet_between(bvh, queries) ? 1 : 0;
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (runnable_kernels().size() > 1) {
+        count += avx2::may_meet_between(bvh, queries) ? 1 : 0;
+    }
+    if (runnable_kernels().size() > 2) {
+        count += avx512::may_meet_between(bvh, queries) ? 1 : 0;
+    }
+#endif
+    return count;
+}
+
 /// Every way to ask gives what brute force gives, to the last bit.
 void check_all(const Scene& scene, const std::vector<Query<double>>& queries) {
     const Subject s(scene);
@@ -77,6 +93,14 @@ void check_all(const Scene& scene, const std::vector<Query<double>>& queries) {
             differ += (any_each[k] != 0) != met || (any_packets[k] != 0) != met ? 1 : 0;
         }
         CHECK(differ == 0);
+    }
+    for (std::size_t first = 0; first < queries.size(); first += 16) {
+        const std::size_t count = std::min<std::size_t>(16, queries.size() - first);
+        const auto met = [](const Hit<double>& hit) { return hit.primitive != no_primitive; };
+        if (std::ranges::any_of(std::span(expected).subspan(first, count), met)) {
+            CHECK(may_meet(s.searched.bvh, std::span(queries).subspan(first, count)) ==
+                  runnable_kernels().size());
+        }
     }
 }
 
@@ -299,6 +323,28 @@ TEST_CASE("kernels: narrow bundles of rays, most of which meet little or nothing
             check_all(scene, queries);
         }
     }
+}
+
+TEST_CASE("kernels: nothing lies between rays that pass beside every shape or away from it") {
+    Scene scene;
+    test::add(scene, Sphere{{0, 0, 0}, 1});
+    test::add(scene, Cone{{4, 0, -1}, {4, 0, 1}, 0.5, 0.25});
+    test::add(scene, ball({-4, 0, 0}, 1, true));
+    const Subject subject(scene);
+    const auto between = [&](const Point& eye, const Point& low, const Point& high) {
+        const std::vector<Query<double>> queries = {{{eye, low - eye, 0}, no_primitive, {}},
+                                                    {{eye, high - eye, 0}, no_primitive, {}}};
+        return may_meet(subject.searched.bvh, queries);
+    };
+    const Point eye(0, -8, 0);
+    const std::size_t all = runnable_kernels().size();
+    CHECK(between(eye, {-0.1, 0, -0.1}, {0.1, 0, 0.1}) == all);
+    CHECK(between(eye, {3.9, 0, -0.1}, {4.1, 0, 0.1}) == all);
+    CHECK(between(eye, {-4.1, 0, -0.1}, {-3.9, 0, 0.1}) == all);
+    CHECK(between(eye, {1.5, 0, -0.1}, {9, 0, 0.1}) == all);
+    CHECK(between(eye, {-9, 0, 1.5}, {9, 0, 3}) == 0);
+    CHECK(between(eye, {-1, -16, -1}, {1, -16, 1}) == 0);
+    CHECK(plain::may_meet_between(WideBvh(), {}) == false);
 }
 
 TEST_CASE("kernels: no queries, few queries, and a scene without shapes") {

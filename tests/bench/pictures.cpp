@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 
 #include "formats/output_file.h"
+#include "formats/scene_file.h"
 #include "support/povray.h"
 #include "support/process.h"
 #include "support/report.h"
-#include "support/scene_files.h"
 #include "support/standard.h"
 #include "trace/render.h"
 
@@ -54,19 +55,31 @@ double median_or_nothing(const std::vector<double>& values) {
     return values.empty() ? NAN : median_of(values);
 }
 
+/// The scene as an NFF file: that of others if it is there, else one made here.
+std::string nff_file(const std::string& name, const Options& options,
+                     const TemporaryFolder& folder) {
+    const auto given = std::filesystem::path(options.data) / "nff" / (name + ".nff");
+    if (std::filesystem::exists(given)) {
+        return given.string();
+    }
+    save_scene(standard_scene(name, options.data), folder.file(name + ".nff"));
+    return folder.file(name + ".nff");
+}
+
 /// Our whole process and POV-Ray's tracing in turn, then one thread and two.
-Medians measure(const Options& options, const Scene& scene) {
-    const TemporaryFolder folder;
-    const std::string ours = write_scene_files(scene, folder);
+Medians measure(const Options& options, const std::string& ours, const Scene& scene,
+                const TemporaryFolder& folder) {
+    const std::string size =
+        std::to_string(scene.camera.width) + 'x' + std::to_string(scene.camera.height);
     const std::string theirs = folder.file("scene.pov");
     write_output(theirs, povray_text(scene));
     const bool has_povray = on_path("povray");
     const World<double> world(scene);
     Medians m;
     for (int round = -1; round < options.rounds; ++round) {
-        const ProcessRun run =
-            run_process({programs_folder() + "/raytree", "render", ours, "-o",
-                         folder.file("out.png"), "--threads", std::to_string(threads)});
+        const ProcessRun run = run_process({programs_folder() + "/raytree", "render", ours, "-o",
+                                            folder.file("out.png"), "--size", size, "--threads",
+                                            std::to_string(threads)});
         if (run.code != 0) {
             throw std::runtime_error("raytree render: " + run.said);
         }
@@ -96,8 +109,9 @@ Medians measure(const Options& options, const Scene& scene) {
 void body(const Options& options) {
     Report report(options, "Pictures: whole Whitted pictures, beside POV-Ray 3.7");
     report.table(
-        "512 x 512 pixels, depth 5, no antialiasing, two threads. `raytree`: the whole process, "
-        "start, reading, building, tracing and writing; `POV-Ray`: its own report of tracing "
+        "512 x 512 pixels, depth 5, no antialiasing, two threads, from an NFF file. `raytree`: the "
+        "whole process, start, reading, building, tracing and writing; `POV-Ray`: its own report "
+        "of tracing "
         "alone. In seconds waited (median; `least`: of the shortest of each), and of processor "
         "time. `2 / 1`: one thread's time over that of two, tracing alone, the shortest of each.",
         {"scene", "objects", "raytree", "POV-Ray", "times", "times, least", "raytree cpu",
@@ -106,11 +120,13 @@ void body(const Options& options) {
         if (!options.scene.empty() && options.scene != name) {
             continue;
         }
-        Scene scene = standard_scene(name, options.data);
-        if (options.quick) {
-            scene.camera.width = scene.camera.height = 128;
-        }
-        const Medians m = measure(options, scene);
+        const TemporaryFolder folder;
+        const std::string file = nff_file(name, options, folder);
+        const int side = options.quick ? 128 : 512;
+        SceneOptions sized;
+        sized.size = {side, side};
+        const Scene scene = load_scene(file, sized).scene;
+        const Medians m = measure(options, file, scene, folder);
         const double ours = median_or_nothing(m.process_wall);
         const double theirs = median_or_nothing(m.pov_wall);
         report.row({name,
