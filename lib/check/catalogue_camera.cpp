@@ -57,10 +57,17 @@ Beam look_at_as_direction(const Place& place, const Step& step) {
     return along_axes(place, step, forward, right, outer(right, forward));
 }
 
-Beam by_tangent(const Place& place, const Step& step, double (*angle)(double half)) {
-    const auto half = half_fov(place);
-    const double scale = half ? std::tan(angle(*half)) / std::tan(*half) : 1;
-    return scaled(place, step, scale, scale);
+/// The window follows from the tangent of another angle than half the field of view.
+template <double (*angle)(double half)> void by_tangent(Laws& laws) {
+    laws.primary = [](const Place& place, const Step& step) {
+        const auto half = half_fov(place);
+        const double scale = half ? std::tan(angle(*half)) / std::tan(*half) : 1;
+        return scaled(place, step, scale, scale);
+    };
+}
+
+template <int x, int y> void axes_times(Laws& laws) {
+    laws.primary = [](const Place& place, const Step& step) { return scaled(place, step, x, y); };
 }
 
 const MistakeRow rows[] = {
@@ -127,30 +134,13 @@ const MistakeRow rows[] = {
          };
      }}},
     {"cam.fov_not_halved", "The tangent is taken of the whole field of view, not of half.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return by_tangent(place, step, [](double half) { return 2 * half; });
-         };
-     }},
+     by_tangent<[](double half) { return 2 * half; }>},
     {"cam.fov_halved_twice", "The field of view is halved twice.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return by_tangent(place, step, [](double half) { return half / 2; });
-         };
-     }},
+     by_tangent<[](double half) { return half / 2; }>},
     {"cam.fov_degrees", "The tangent is taken of degrees as if they were radians.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return by_tangent(place, step,
-                               [](double half) { return half * 180 / Real<double>::pi; });
-         };
-     }},
+     by_tangent<[](double half) { return half * 180 / Real<double>::pi; }>},
     {"cam.fov_angle_for_tangent", "The angle itself is used where its tangent belongs.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return by_tangent(place, step, [](double half) { return std::atan(half); });
-         };
-     }},
+     by_tangent<[](double half) { return std::atan(half); }>},
     {"cam.fov_horizontal",
      "The field of view is taken for that of the other axis.",
      topic,
@@ -199,11 +189,7 @@ const MistakeRow rows[] = {
                              place.scene().camera.height - step.pixel_j - offset(place));
          };
      },
-     {[](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return scaled(place, step, 1, -1);
-         };
-     }}},
+     {axes_times<1, -1>}},
     {"cam.row_flipped_h_minus_j", "Rows are flipped by height - j: one row off.", topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -214,11 +200,7 @@ const MistakeRow rows[] = {
     {"cam.mirrored",
      "Left and right are exchanged: the cross product is the wrong way round.",
      topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return scaled(place, step, -1, 1);
-         };
-     },
+     axes_times<-1, 1>,
      {[](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, place.scene().camera.width - step.pixel_i - offset(place),
@@ -226,11 +208,7 @@ const MistakeRow rows[] = {
          };
      }}},
     {"cam.turned_round", "Both axes are reversed: the picture is turned by half a turn.", topic,
-     [](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return scaled(place, step, -1, -1);
-         };
-     }},
+     axes_times<-1, -1>},
     {"cam.lookat_as_dir", "The look-at point is used as the viewing direction.", topic,
      [](Laws& laws) { laws.primary = look_at_as_direction; }},
     {"cam.looks_back", "The camera looks backwards: eye - look-at instead of look-at - eye.", topic,

@@ -105,8 +105,8 @@ const MistakeRow rows[] = {
          };
      }},
     {"num.nan",
-     "A number is none: 0 is divided by 0, a vector of length 0 made unit, or the root taken of a "
-     "negative number.",
+     "A number is none: 0 is divided by 0, a vector of length 0 made unit, the root taken of a "
+     "negative number, or a value used that is not there.",
      "the limits of numbers", [](Laws&) {}},
     {"rec.lerp",
      "Reflection replaces local light: (1 - kr) local is added, or (1 - kr - kt) local.",

@@ -23,9 +23,11 @@ constexpr std::size_t most_children = 1000;
 
 constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
 
-/// How colours are rounded to 8 bits is seen in pictures alone.
+/// How colours are made 8 bits is seen in pictures alone.
 Choices seen_in_trees(Choices choices) {
-    std::erase_if(choices, [](const Convention* choice) { return choice->axis == "quantise"; });
+    std::erase_if(choices, [](const Convention* choice) {
+        return choice->axis == "quantise" || choice->axis == "gamma";
+    });
     return choices;
 }
 

@@ -40,11 +40,12 @@ Choices with_choice(Choices choices, std::string_view choice) {
 }
 
 std::string text_of(const Choices& choices) {
+    static const Choices defaults = default_choices();
     std::string text;
-    for (const Convention* choice : choices) {
-        if (choice->on_scene || choice->on_laws) {
-            text += (text.empty() ? "" : " ") + std::string(choice->axis) + '=' +
-                    std::string(choice->value);
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+        if (choices[k] != defaults[k]) {
+            text += (text.empty() ? "" : " ") + std::string(choices[k]->axis) + '=' +
+                    std::string(choices[k]->value);
         }
     }
     return text;

@@ -111,6 +111,12 @@ const std::vector<Convention>& tree_conventions() {
         // Never more than a level from the others, which is what pictures may be off.
         {"quantise", "floor-255.9", "255.9 times the colour, cut off", nullptr, nullptr, ""},
         {"quantise", "floor-255.999", "255.999 times the colour, cut off", nullptr, nullptr, ""},
+        // Of pictures alone, and only where a profile with it is asked for.
+        {"gamma", "none", "colours are written as they are", nullptr, nullptr, ""},
+        {"gamma", "2.2", "a gamma curve of 2.2 is applied to the finished picture", nullptr,
+         nullptr, "out.gamma"},
+        {"gamma", "2", "the square root of each colour is taken for the finished picture", nullptr,
+         nullptr, "out.gamma_2"},
     };
     return table;
 }

@@ -126,6 +126,8 @@ struct Laws {
     Spectrum (*weight)(const Step&, RayKind);  ///< of a branch
     /// By kind: whether a ray may meet the very surface it starts on, as rounding has it.
     std::array<bool, 4> may_meet_start{};
+
+    bool operator==(const Laws&) const = default;
 };
 
 const Laws& model_laws();

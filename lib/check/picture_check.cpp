@@ -57,6 +57,9 @@ const Profile& PictureChecker::best_profile(const ReadPicture& picture) const {
     std::size_t fewest = ~std::size_t{0};
     for (const Profile& profile : profiles()) {
         const Rulebook& book = checker_.rulebooks().of(profile);
+        if (gamma_of(book.choices) != 1) {
+            continue;  // the model has no such curve unless it is asked for
+        }
         const std::size_t misses = match.misses(book.place, book.laws, some, fewest);
         if (misses < fewest) {
             fewest = misses;
@@ -75,12 +78,12 @@ Report PictureChecker::judge(const ReadPicture& picture, const std::string& name
     report.compared = picture.pixels.size();
     report.precision = picture.eight_bit ? "8 bits" : "float";
     report.profile_asked_for = options.profile.has_value();
-    const PixelMatch match(picture, options.rtol);
     const Places all = all_places(picture);
     const Profile& profile =
         options.profile ? profile_named(*options.profile) : best_profile(picture);
     report.profile = profile.name;
     const Rulebook& book = checker_.rulebooks().of(profile);
+    const PixelMatch match(picture, options.rtol, gamma_of(book.choices));
     if (!report.profile_asked_for) {
         report.conventions =
             checker_.rulebooks().differences(book.choices, checker_.rulebooks().lecture().choices);
@@ -97,7 +100,9 @@ Report PictureChecker::judge(const ReadPicture& picture, const std::string& name
     }
     if (ties > 0) {
         report.remarks.push_back(std::to_string(ties) +
-                                 " pixels hang on rounding and are not held against it");
+                                 (ties == 1
+                                      ? " pixel hangs on rounding and is not held against it"
+                                      : " pixels hang on rounding and are not held against it"));
     }
     report.score = 1 - static_cast<double>(differing.size()) /
                            static_cast<double>(std::max<std::size_t>(all.size(), 1));
@@ -144,8 +149,10 @@ std::string PictureChecker::overlay(std::string_view bytes, const Report& report
     }
     const Camera& camera = checker_.scene().camera;
     const ReadPicture picture = read_picture(bytes, "", {camera.width, camera.height});
-    const auto truth = truth_by(checker_.rulebooks().of(profile_named(report.profile)));
-    const PixelMatch match(picture, checker_.options().rtol);
+    const Rulebook& book = checker_.rulebooks().of(profile_named(report.profile));
+    const auto truth = truth_by(book);
+    const double gamma = gamma_of(book.choices);
+    const PixelMatch match(picture, checker_.options().rtol, gamma);
     const auto columns = static_cast<std::size_t>(camera.width);
     Picture drawn{3 * camera.width, camera.height, {}};
     drawn.pixels.resize(3 * columns * static_cast<std::size_t>(camera.height));
@@ -156,7 +163,7 @@ std::string PictureChecker::overlay(std::string_view bytes, const Report& report
         const Spectrum& due = truth->at(at.i, at.j);
         const double grey = 0.85 - 0.45 * std::clamp((due.r + due.g + due.b) / 3, 0.0, 1.0);
         row[column] = Spectrum(found.r, found.g, found.b);
-        row[columns + column] = due;
+        row[columns + column] = through_curve(due, gamma);
         row[2 * columns + column] = match(at, due) ? Spectrum(grey) : different;
     }
     return encode_png(quantized(drawn, Quantize::round).image);

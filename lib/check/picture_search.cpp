@@ -36,7 +36,8 @@ class PictureSearch {
     /// The conventions of other courses that explain the picture; none where none do.
     Choices conventions() const {
         for (const Choices& choices : checker_.rulebooks().alternatives(book_.choices)) {
-            if (explains(choices)) {
+            const bool other_curve = gamma_of(choices) != gamma_of(book_.choices);
+            if (!other_curve && explains(choices)) {
                 return needed(choices);
             }
         }

@@ -73,8 +73,20 @@ Spectrum colour_by(const Place& place, const Laws& laws, PixelPlace at) {
     }
 }
 
-bool PixelMatch::operator()(PixelPlace at, const Spectrum& colour) const {
+double gamma_of(const Choices& choices) {
+    const auto choice = std::ranges::find(choices, "gamma", &Convention::axis);
+    const std::string_view value = choice == choices.end() ? "none" : (*choice)->value;
+    return value == "2.2" ? 2.2 : value == "2" ? 2 : 1;
+}
+
+Spectrum through_curve(const Spectrum& colour, double gamma) {
+    const auto curved = [gamma](double x) { return std::pow(std::max(0.0, x), 1 / gamma); };
+    return gamma == 1 ? colour : Spectrum(curved(colour.r), curved(colour.g), curved(colour.b));
+}
+
+bool PixelMatch::operator()(PixelPlace at, const Spectrum& linear) const {
     const Rgb<float>& found = picture_.at(at.i, at.j);
+    const Spectrum colour = through_curve(linear, gamma_);
     const std::array<double, 3> due = {colour.r, colour.g, colour.b};
     const std::array<float, 3> is = {found.r, found.g, found.b};
     for (std::size_t c = 0; c < 3; ++c) {

@@ -18,10 +18,17 @@ struct PixelPlace {
 /// The intensity of the pixel's tree; not a number where it grows out of range.
 Spectrum colour_by(const Place& place, const Laws& laws, PixelPlace at);
 
-/// Whether the picture's pixel is this colour: within one level of 8 bits, or `rtol` of floats.
+/// The exponent of the curve through which colours go on the way to the finished picture; 1: none.
+double gamma_of(const Choices& choices);
+/// A colour on the other side of the curve: its components to the power of 1 / gamma.
+Spectrum through_curve(const Spectrum& colour, double gamma);
+
+/// Whether the picture's pixel is this colour, once it has gone through the curve: within one level
+/// of 8 bits, or `rtol` of floats.
 class PixelMatch {
   public:
-    PixelMatch(const ReadPicture& picture, double rtol) : picture_(picture), rtol_(rtol) {}
+    PixelMatch(const ReadPicture& picture, double rtol, double gamma = 1)
+        : picture_(picture), rtol_(rtol), gamma_(gamma) {}
 
     bool operator()(PixelPlace at, const Spectrum& colour) const;
     std::size_t misses(const Place& place, const Laws& laws, std::span<const PixelPlace> at,
@@ -30,6 +37,7 @@ class PixelMatch {
   private:
     const ReadPicture& picture_;
     double rtol_;
+    double gamma_;
 };
 
 /// Whether a ray a thousandth of a pixel away would have the picture's colour: a tie that rounding

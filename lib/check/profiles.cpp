@@ -7,7 +7,9 @@ namespace raytree::check {
 const std::vector<Profile>& profiles() {
     static const std::vector<Profile> table = {
         {"lecture", "the model as it is, with the scene's settings", {}},
+        {"42", "the angle of view is the horizontal one, which is the lecture's too", {}},
         {"corner", "the lecture with rays through pixel corners", {"sample=corner"}},
+        {"rpi", "a gamma curve of 2.2 is applied to finished pictures", {"gamma=2.2"}},
         {"ucla",
          "rays through the upper left corners of pixels; secondary rays that miss are black",
          {"sample=corner", "near=primary", "miss=black", "quantise=floor"}},
@@ -35,6 +37,9 @@ const std::vector<Profile>& profiles() {
         {"weekend",
          "a vertical angle of view; the first and the last pixel lie on the window's edges",
          {"sample=edges", "fov=vertical", "quantise=floor-255.999"}},
+        {"weekend-gamma",
+         "as weekend, and the square root of each colour is taken for the finished picture",
+         {"sample=edges", "fov=vertical", "quantise=floor-255.999", "gamma=2"}},
     };
     return table;
 }

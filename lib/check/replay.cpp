@@ -30,8 +30,10 @@ Replay::Replay(const Place& place, const Names& names, const Laws& laws,
       laws_(laws),
       submission_(submission),
       options_(options),
-      darkest_(1e-4 * brightness(place)),
-      random_(options.seed) {
+      darkest_(1e-4 * brightness(place)) {
+    if (options.noise != 0) {
+        random_.emplace(options.seed);
+    }
     if (options.truth) {
         true_children_ = children_of(*options.truth);
     }
@@ -55,7 +57,7 @@ double Replay::moved(double x, double scale) {
     const Precision& p = submission_.precision;
     std::uniform_real_distribution<double> uniform(-1, 1);
     return x +
-           options_.noise * uniform(random_) * (p.relative * std::max(abs(x), scale) + p.absolute);
+           options_.noise * uniform(*random_) * (p.relative * std::max(abs(x), scale) + p.absolute);
 }
 
 double Replay::tolerance(std::size_t ray, Field field, double scale) const {
@@ -93,7 +95,8 @@ void Replay::count(std::size_t ray, Field field) {
 }
 
 Replay::Taint Replay::report(Finding finding) {
-    causes_ += finding.follows_from ? 0 : 1;
+    const bool excused = options_.excused && options_.excused->contains(key_of(finding));
+    causes_ += finding.follows_from || excused ? 0 : 1;
     if (!finding.follows_from && options_.give_up_at == key_of(finding)) {
         causes_ = std::max(causes_, options_.enough);
     }

@@ -3,12 +3,15 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <random>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
 #include "check/finding.h"
 #include "check/laws.h"
+#include "check/met_before.h"
 #include "check/names.h"
 
 namespace raytree::check {
@@ -40,10 +43,12 @@ struct Tally {
 struct ReplayOptions {
     double rtol = 1e-5;
     const Slacks* slacks = nullptr;
-    const RayTree<double>* truth = nullptr;     ///< tells what follows from what
-    std::size_t enough = 1000;                  ///< causes after which to stop
-    std::optional<std::uint64_t> give_up_at{};  ///< the cause (its key) at which to stop
+    const RayTree<double>* truth = nullptr;            ///< tells what follows from what
+    std::size_t enough = 1000;                         ///< causes after which to stop
+    std::optional<std::uint64_t> give_up_at{};         ///< the cause (its key) at which to stop
+    const std::set<std::uint64_t>* excused = nullptr;  ///< causes (their keys) that do not count
     std::size_t most_rays = ~std::size_t{0};
+    MetBefore* met_before = nullptr;  ///< where to look up what rays meet
     double noise = 0;  ///< how far to move every number, in units of the submission's precision
     unsigned seed = 0;
     Tally* tally = nullptr;  ///< where to count what is compared
@@ -107,7 +112,8 @@ class Replay {
     bool aims_from(At at, const Vec& origin, const Shine& shine);
     bool is_in_between(const Blocker<double>& given, const Step& step, const Shine& shine) const;
     void see_blocker(At at, const Step& step, Shine& shine, const Passage& passage, Taint& taint);
-    Taint shadow_ray(At at, const Step& step, Shine& shine, Taint taint);
+    Passage passage_to(std::size_t from, const Step& step, const Shine& shine) const;
+    Taint shadow_ray(At at, std::size_t from, const Step& step, Shine& shine, Taint taint);
     struct Grown {
         Terms::Branch branch;
         Terms::Branch alternative;  ///< of a missing ray: what the true one adds
@@ -156,7 +162,7 @@ class Replay {
     double darkest_;  ///< colours are compared to at least this
     std::vector<std::vector<std::size_t>> true_children_;
     std::unordered_map<std::uint64_t, Logged> log_;
-    std::mt19937 random_;
+    std::optional<std::mt19937> random_;  ///< where numbers are to be moved
 };
 
 /// How far every quantity of the submission may be off by its own rounding.

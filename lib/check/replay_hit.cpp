@@ -8,7 +8,9 @@ namespace raytree::check {
 /// What the ray hits. False where it hits nothing, or nothing that is known.
 bool Replay::meet(At at, Step& step, Taint& taint) {
     const Interval<double> interval = laws_.interval(place_, step);
-    const auto hit = laws_.meet(place_, step, interval);
+    const auto hit = options_.met_before
+                         ? options_.met_before->meet(place_, laws_, step, interval, at.ray)
+                         : laws_.meet(place_, step, interval);
     const std::int64_t met = hit ? static_cast<std::int64_t>(hit->primitive) : -1;
     note(key_of(at.ray, Field::object), met);
     const auto& given = submission_.tree.rays[at.ray].hit;

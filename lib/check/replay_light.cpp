@@ -47,10 +47,10 @@ Replay::Taint Replay::light(At at, const Step& step, std::size_t light, Terms& t
     const bool wanted = place_.scene().settings.shadows != ShadowMode::none;
     if (ray != none) {
         own = shadow_ray(
-            {ray, true_child(at.truth, RayKind::shadow, place_.scene().lights[light].name)}, step,
-            shine, taint);
+            {ray, true_child(at.truth, RayKind::shadow, place_.scene().lights[light].name)}, at.ray,
+            step, shine, taint);
     } else {
-        const Passage passage = laws_.shadow(place_, step, shine);
+        const Passage passage = passage_to(at.ray, step, shine);
         shine.transmittance = passage.transmittance;
         if (submission_.has_shadow_rays && wanted && !near_tie) {
             Finding finding;
@@ -76,6 +76,12 @@ Replay::Taint Replay::light(At at, const Step& step, std::size_t light, Terms& t
     terms.diffuse += diffuse;
     terms.specular += specular;
     return own;
+}
+
+/// What of the light arrives at the hit of the ray `from`.
+Passage Replay::passage_to(std::size_t from, const Step& step, const Shine& shine) const {
+    return options_.met_before ? options_.met_before->shadow(place_, laws_, step, shine, from)
+                               : laws_.shadow(place_, step, shine);
 }
 
 /// Whether the ray goes from this origin to the light, where it starts a little off the surface.
@@ -138,7 +144,8 @@ void Replay::see_blocker(At at, const Step& step, Shine& shine, const Passage& p
 }
 
 /// The ray towards the light as the submission has it.
-Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint taint) {
+Replay::Taint Replay::shadow_ray(At at, std::size_t from, const Step& step, Shine& shine,
+                                 Taint taint) {
     Vec origin = laws_.start(place_, step, RayKind::shadow);
     const bool offset = set_off(at, step, RayKind::shadow, shine.towards, origin);
     if (!offset) {
@@ -154,7 +161,7 @@ Replay::Taint Replay::shadow_ray(At at, const Step& step, Shine& shine, Taint ta
                 taint);
         }
     }
-    const Passage passage = laws_.shadow(place_, step, shine);
+    const Passage passage = passage_to(from, step, shine);
     const auto code = [](PrimitiveId id) {
         return id == no_primitive ? std::int64_t{-1} : static_cast<std::int64_t>(id);
     };

@@ -101,7 +101,7 @@ Choices Rulebooks::differences(const Choices& choices, const Choices& base) cons
         Choices one = base;
         one[k] = choices[k];
         const bool other_laws = choices[k]->on_laws != base[k]->on_laws;
-        if (other_laws ||
+        if (other_laws || choices[k]->axis == "gamma" ||
             settings_text(scene_by(scene_, one)) != settings_text(scene_by(scene_, base))) {
             differing.push_back(choices[k]);
         }

@@ -83,7 +83,8 @@ void refuse_if_large(const std::filesystem::path& file) {
     const auto bytes = std::filesystem::file_size(file, error);
     if (!error && bytes > largest_submission) {
         throw InputError(file.string(), "",
-                         "is " + std::to_string(bytes >> 20) + " MB large; a submission may have " +
+                         "is " + std::to_string(((bytes - 1) >> 20) + 1) +
+                             " MB large; a submission may have " +
                              std::to_string(largest_submission >> 20) + " MB");
     }
 }

@@ -126,6 +126,7 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
 
 void look_for_missing_fields(const Submission& submission, const Given& required,
                              std::vector<Finding>& findings, std::vector<std::string>& remarks) {
+    std::string by_none;
     for (std::size_t k = 0; k < field_count; ++k) {
         const Field field = static_cast<Field>(k);
         std::size_t missing = 0, first = 0, able = 0;
@@ -139,17 +140,22 @@ void look_for_missing_fields(const Submission& submission, const Given& required
         if (missing == 0) {
             continue;
         }
+        const std::string name(word_of(field));
         const std::string what =
-            std::string(word_of(field)) + " is not given by " +
+            name + " is not given by " +
             (missing == able ? "any ray"
                              : std::to_string(missing) + " of " + std::to_string(able) + " rays");
         if (required[k]) {
             findings.push_back(of_the_whole(
-                std::string(word_of(field)),
-                what + ", first by ray " + submission.ids[first] + "; it is required"));
+                name, what + ", first by ray " + submission.ids[first] + "; it is required"));
+        } else if (missing == able) {
+            by_none += (by_none.empty() ? "" : ", ") + name;
         } else {
             remarks.push_back(what);
         }
+    }
+    if (!by_none.empty()) {
+        remarks.push_back("not given by any ray, and so not compared: " + by_none);
     }
 }
 

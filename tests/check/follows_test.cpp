@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "check/check.h"
 #include "check/describe.h"
 #include "check/support.h"
@@ -39,6 +41,29 @@ TEST_CASE("one wrong number in the middle is one cause, and what is right stays 
     CHECK(report.findings.front().ray == ray);
     CHECK(report.findings.front().field == Field::t);
     CHECK(report.mistakes.empty());  // no formula gives this: nobody is accused
+}
+
+TEST_CASE("what one factor explains is named, but not with sure") {
+    Case c;
+    const std::size_t lights = c.scene.lights.size();
+    REQUIRE(lights == 2);
+    for (TreeRay<double>& ray : c.tree.rays) {
+        ray.ambient = 2.0 * ray.ambient;
+    }
+    const check::Report twice = check_tree(c.checker, c.tree);
+    CAPTURE(in_words(twice));
+    REQUIRE(!twice.mistakes.empty());  // that it is added for each light gives these numbers too
+    CHECK(!twice.mistakes.front().sure);
+    CHECK(std::ranges::any_of(twice.remarks, [](const std::string& remark) {
+        return remark.find("2 times what it must be") != std::string::npos;
+    }));
+    for (TreeRay<double>& ray : c.tree.rays) {
+        ray.ambient = Rgb<double>(0);
+    }
+    const check::Report none = check_tree(c.checker, c.tree);
+    REQUIRE(!none.mistakes.empty());
+    CHECK(none.mistakes.front().id == "lit.ambient_missing");
+    CHECK(none.mistakes.front().sure);
 }
 
 TEST_CASE("a missing branch is missed once, and its parent's intensity is not held against it") {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "check/catalogue.h"
@@ -101,6 +102,23 @@ TEST_CASE("what is done to a finished picture is found in it") {
         } else {
             CHECK(row.id == "out.uchar_wrap");  // nothing in this picture is brighter than 1
         }
+    }
+}
+
+TEST_CASE("a gamma curve is right where the profile that is asked for has it") {
+    const Scene scene = small_scene();
+    const Picture truth = render(World<double>(scene));
+    Picture curved = truth;
+    for (check::Spectrum& c : curved.pixels) {
+        c = {std::pow(c.r, 1 / 2.2), std::pow(c.g, 1 / 2.2), std::pow(c.b, 1 / 2.2)};
+    }
+    const std::string picture = encode_png(quantized(curved, Quantize::round).image);
+    const std::string linear = encode_png(quantized(truth, Quantize::round).image);
+    CHECK(judged(scene, picture, "rpi").verdict == check::Verdict::pass);
+    CHECK(judged(scene, linear, "rpi").verdict == check::Verdict::fail);
+    for (const char* profile : {"", "lecture"}) {
+        CAPTURE(profile);
+        CHECK(names(judged(scene, picture, profile), "out.gamma"));
     }
 }
 

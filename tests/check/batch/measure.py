@@ -2,8 +2,8 @@
 
     python3 measure.py RAYTREE [COUNT…]     default: 1000 and 10000 submissions
 
-Each is a full tree of 4 levels under 2 lights, 45 rays. A third of them are right, a third wrong by a mistake that differs from one to the next, a third
-rounded to six digits. Elapsed time, processor time and the largest memory of the process.
+Each is the tree of a pixel of nested glass, 31 rays. A third of them are right, a third wrong by a
+mistake that differs from one to the next, a third rounded to six digits. Elapsed time, processor time and the largest memory of the process.
 """
 
 import json
@@ -14,8 +14,8 @@ import tempfile
 import time
 from pathlib import Path
 
-SCENE = Path(__file__).resolve().parents[3] / "data" / "scenes" / "full-tree.json"
-TRACE = ["--scene", SCENE, "--max-depth", "4"]
+SCENE = Path(__file__).resolve().parents[3] / "data" / "scenes" / "nested-media.json"
+TRACE = ["--scene", SCENE, "--max-depth", "6"]
 
 
 def rounded(value):
@@ -44,7 +44,7 @@ def main():
     counts = [int(x) for x in sys.argv[2:]] or [1000, 10_000]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        done = subprocess.run([raytree, "trace", SCENE, "--pixel", "320,200", "--max-depth", "4"],
+        done = subprocess.run([raytree, "trace", SCENE, "--pixel", "241,206", "--max-depth", "6"],
                               capture_output=True, check=True)
         tree = json.loads(done.stdout)
         texts = [json.dumps(t) for t in (tree, *(wrong(tree, k) for k in range(3)), rounded(tree))]
@@ -60,8 +60,8 @@ def main():
             _, _, used = os.wait4(run.pid, 0)
             report = json.loads(Path("report.json").read_text())
             verdicts = [s["verdict"] for s in report["submissions"]]
-            print(f"{count} submissions of {len(tree['rays'])} rays: {time.time() - start:.1f} s elapsed, "
-                  f"{used.ru_utime + used.ru_stime:.1f} s of processor time, "
+            print(f"{count} submissions of {len(tree['rays'])} rays: "
+                  f"{time.time() - start:.1f} s elapsed, {used.ru_utime + used.ru_stime:.1f} s of processor time, "
                   f"{used.ru_maxrss / 1024:.0f} MB; {verdicts.count('pass')} pass, "
                   f"{verdicts.count('fail')} fail")
 

@@ -3,6 +3,7 @@
     python3 run.py RAYTREE                        the assignments' scenes and a few others
     python3 run.py RAYTREE --quick                a sample, for CI
     python3 run.py RAYTREE --log                  and every case that is not named
+    python3 run.py RAYTREE --unknown              mistakes that the catalogue does not have
     python3 run.py RAYTREE --matrix FILE          what was named for what was planted, as JSON;
                                                   draw_matrix.py makes a picture of it
 
@@ -24,6 +25,7 @@ from pathlib import Path
 from student import Student, TooLarge
 
 import mistakes  # after student, which says where the oracle is
+import unknown
 from reader import read_source
 
 DATA = Path(__file__).resolve().parents[3] / "data"
@@ -246,7 +248,7 @@ def spots(raytree, folder, seed, quick):
         yield name, DATA / "scenes" / f"{name}.json", pixels
 
 
-def plant_all(raytree, spot, form, table, correct, options):
+def plant_all(raytree, spot, form, table, correct, options, planted):
     """All mistakes at the pixels of a scene, in one form."""
     name, scene, pixels = spot
     source = read_source(scene)
@@ -257,7 +259,7 @@ def plant_all(raytree, spot, form, table, correct, options):
             key = f"right-{pixel[0]}-{pixel[1]}"
             Path(folder, key + ".json").write_text(json.dumps(right))
             cases[key] = None
-            for k, (mistake, plant) in enumerate(mistakes.planted):
+            for k, (mistake, plant) in enumerate(planted):
                 wrong = grown(source, plant, pixel)
                 if wrong is None:
                     continue
@@ -327,6 +329,7 @@ def main():
     parser.add_argument("--form", choices=FORMS, action="append")
     parser.add_argument("--scenes", default="")
     parser.add_argument("--matrix")
+    parser.add_argument("--unknown", action="store_true")
     parser.add_argument("--pairs", type=int, default=20, help="in each scene")
     parser.add_argument("--profile", default="lecture")
     arguments = parser.parse_args()
@@ -340,13 +343,14 @@ def main():
         for form in arguments.form or (["everything"] if arguments.quick else FORMS):
             table, correct = Table(), []
             for spot in every:
-                plant_all(arguments.raytree, spot, form, table, correct, options)
+                plant_all(arguments.raytree, spot, form, table, correct, options,
+                          unknown.planted if arguments.unknown else mistakes.planted)
             total = table.total()
             wrong = [c for c in correct if c[1] != "pass"]
             print(f"{form}: {len(table.rows)} mistakes, {total['changed']} cases, found "
                   f"{total['found']}, named {total['named']}, first {total['first']}, alone "
                   f"{total['alone']}, wrong and sure {total['wrong and sure']}; "
-                  f"right trees {len(correct)}, called wrong {len(wrong)}")
+                  f"right trees {len(correct)}, called wrong {len(wrong)}", flush=True)
             for line in wrong:
                 print("  right but:", line)
             if arguments.log:
@@ -354,14 +358,16 @@ def main():
                     print("  " + line)
             matrix[form] = [[a, b, n, table.tied[a, b]]
                             for (a, b), n in sorted(table.named.items())]
-            few = form == "positions"  # what only shades leaves no trace in them
+            # What only shades leaves no trace in positions; what nobody knows has no name.
+            few = form == "positions" or arguments.unknown
             fine = fine and not wrong and total["wrong and sure"] == 0 and (
                 few or (total["found"] >= 0.98 * total["changed"]
                         and total["first"] >= 0.9 * total["changed"]))
         pairs = collections.Counter()
-        for k, spot in enumerate(every if arguments.pairs else []):
-            pairs.update(plant_pairs(arguments.raytree, spot, arguments.pairs, k, arguments.log))
-        if arguments.pairs:
+        pairs_wanted = 0 if arguments.unknown else arguments.pairs
+        for k, spot in enumerate(every if pairs_wanted else []):
+            pairs.update(plant_pairs(arguments.raytree, spot, pairs_wanted, k, arguments.log))
+        if pairs_wanted:
             tried = sum(pairs[n] for n in (0, 1, 2))
             print(f"pairs: {tried}; both named {pairs[2]}, one {pairs[1]}, none {pairs[0]}; "
                   f"wrong and sure {pairs['wrong and sure']}")
