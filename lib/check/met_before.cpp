@@ -2,9 +2,9 @@
 
 namespace raytree::check {
 
-template <class Met, class Find>
-Met MetBefore::from(std::vector<Entry<Met>>& entries, std::size_t place, const Sent& sent,
-                    Find find) {
+template <class Met, class Find> Met MetBefore::from(std::vector<Entry<Met>>& entries,
+                                                     std::size_t place, const Sent& sent,
+                                                     Find find) {
     if (place >= most_) {
         return find();
     }
@@ -37,8 +37,7 @@ Passage MetBefore::shadow(const Place& place, const Laws& laws, const Step& step
         return laws.shadow(place, step, shine);
     }
     const Vec &o = step.point, &d = shine.towards;
-    const Sent sent{
-        {o.x, o.y, o.z, d.x, d.y, d.z, 0, shine.distance}, step.surface, false};
+    const Sent sent{{o.x, o.y, o.z, d.x, d.y, d.z, 0, shine.distance}, step.surface, false};
     return from(passages_, ray * place.lights.size() + shine.light, sent,
                 [&] { return model::shadow(place, step, shine); });
 }

@@ -31,9 +31,9 @@ class MetBefore {
         Sent sent;
         Met met{};
     };
-    template <class Met, class Find>
-    static Met from(std::vector<Entry<Met>>& entries, std::size_t place, const Sent& sent,
-                    Find find);
+    template <class Met, class Find> static Met from(std::vector<Entry<Met>>& entries,
+                                                     std::size_t place, const Sent& sent,
+                                                     Find find);
 
     static constexpr std::size_t most_ = 4096;  // rays, and shadow rays, of which it is remembered
     std::vector<Entry<std::optional<Hit<double>>>> hits_;

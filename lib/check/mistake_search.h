@@ -20,7 +20,8 @@ struct Candidate {
     std::set<std::size_t> rays;  ///< that are wrong still
 };
 
-/// Works through a submission under changed laws and counts the causes of differences that are left.
+/// Works through a submission under changed laws and counts the causes of differences that are
+/// left.
 class MistakeSearch {
   public:
     /// `report` has the causes to be explained. All but it must outlive the search.
@@ -28,7 +29,7 @@ class MistakeSearch {
                   const Submission& submission, const ReplayOptions& options, const Report& report);
 
     bool any() const { return first_.has_value(); }
-    std::size_t all() const { return all_; }                    ///< causes; at least 1
+    std::size_t all() const { return all_; }                     ///< causes; at least 1
     const std::set<std::size_t>& rays() const { return rays_; }  ///< where they are
 
     Laws under(std::initializer_list<LawChange> changes) const;

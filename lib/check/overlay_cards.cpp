@@ -106,10 +106,9 @@ void Cards::describe(Card& card, std::size_t ray) const {
         }
         const State state = finding->follows_from ? State::follows : State::differs;
         if (finding->problem == Problem::missing) {
-            const std::string to =
-                finding->light.empty()
-                    ? ""
-                    : " to " + fitted_text(harmless(finding->light), font, 100);
+            const std::string to = finding->light.empty()
+                                       ? ""
+                                       : " to " + fitted_text(harmless(finding->light), font, 100);
             card.lines.push_back(
                 {"lacks its " + std::string(word_of(finding->kind)) + " ray" + to, state});
             continue;
