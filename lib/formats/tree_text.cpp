@@ -190,8 +190,10 @@ class Outline {
     void write_shadow_ray(const Ray& ray, const std::string& prefix, const Place& at) {
         title(ray, prefix, at, shadow_text(ray));
         if (reaches_light(ray)) {
+            const Rgb<double>& sum = tree_.rays[ray.parent.value_or(ray.id)].intensity;
             row(at, "adds",
-                "diffuse " + triple_text(ray.diffuse) + " + specular " + triple_text(ray.specular));
+                "diffuse " + triple_text(noticed(ray.diffuse, sum)) + " + specular " +
+                    triple_text(noticed(ray.specular, sum)));
         }
         write_bounds(ray, at);
     }

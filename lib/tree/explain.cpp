@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace raytree {
 namespace {
@@ -123,6 +124,14 @@ std::string number_text(double value) {
     return text;
 }
 
+Rgb<double> noticed(const Rgb<double>& part, const Rgb<double>& sum) {
+    const auto seen = [](double one, double all) {
+        constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
+        return std::abs(one) > rounding * std::abs(all) ? one : 0;
+    };
+    return {seen(part.r, sum.r), seen(part.g, sum.g), seen(part.b, sum.b)};
+}
+
 std::string triple_text(const Rgb<double>& c) {
     if (is_grey(c)) {
         return number_text(c.r);
@@ -171,9 +180,9 @@ std::vector<std::vector<std::size_t>> children_of(const RayTree<double>& tree) {
 
 std::vector<Term> terms_of(const RayTree<double>& tree, const TreeRay<double>& ray,
                            const std::vector<std::size_t>& children) {
-    std::vector<Term> terms = {plain_term("ambient", ray.ambient),
-                               plain_term("diffuse", ray.diffuse),
-                               plain_term("specular", ray.specular)};
+    std::vector<Term> terms = {plain_term("ambient", noticed(ray.ambient, ray.intensity)),
+                               plain_term("diffuse", noticed(ray.diffuse, ray.intensity)),
+                               plain_term("specular", noticed(ray.specular, ray.intensity))};
     for (const std::size_t child : children) {
         if (tree.rays[child].kind != RayKind::shadow) {
             terms.push_back(branch_term(*ray.hit, tree.rays[child]));

@@ -14,6 +14,11 @@ namespace raytree {
 /// digits are never rounded away below a million; otherwise 1.235e-5, 1.235e6. Zero is "0".
 std::string number_text(double value);
 
+/// A summand as its sum notices it: 0 in channels where it is below the rounding of the sum's own
+/// value, such as a highlight of 1e-141. For texts alone; numbers to calculate with stay as they
+/// are.
+Rgb<double> noticed(const Rgb<double>& part, const Rgb<double>& sum);
+
 /// "(0.2, 0.3, 0.5)", or one number where the three channels are equal.
 std::string triple_text(const Rgb<double>& c);
 /// Whether the channels look the same in `number_text`.

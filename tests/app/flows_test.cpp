@@ -17,6 +17,7 @@
 #include <fstream>
 
 #include "app/scenes.h"
+#include "app/shown_window.h"
 #include "formats/scene_json.h"
 #include "formats/tree_json.h"
 #include "state/commands.h"
@@ -25,24 +26,17 @@
 #include "window/compare_pane.h"
 #include "window/details_pane.h"
 #include "window/files.h"
-#include "window/main_window.h"
 #include "window/outline_pane.h"
-#include "window/run.h"
-#include "window/scene_pane.h"
 #include "window/side_dock.h"
 #include "window/steps_pane.h"
 
 namespace raytree::inspector {
 
-class FlowsTest : public QObject {
+class FlowsTest : public test::ShownWindow {
     Q_OBJECT
 
   private:
     QTemporaryDir folder_;
-    State state_;
-    std::unique_ptr<MainWindow> window_;
-
-    QWidget* canvas() const { return window_->scene_pane().focusProxy(); }
     QString details() const { return window_->details_pane().toPlainText(); }
     std::filesystem::path path(const char* name) const {
         return std::filesystem::path(folder_.path().toStdString()) / name;
@@ -74,10 +68,7 @@ class FlowsTest : public QObject {
     void initTestCase() {
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
         QApplication::setOrganizationName(QStringLiteral("raytree-test"));
-        window_ = std::make_unique<MainWindow>(state_);
-        window_->resize(1280, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        show_window();
         write(path("ball.json"), write_scene_json(test::glass_ball_scene()));
     }
 
@@ -354,10 +345,7 @@ class FlowsTest : public QObject {
 }  // namespace raytree::inspector
 
 int main(int argc, char** argv) {
-    raytree::inspector::prepare_qt();
-    QApplication application(argc, argv);
-    raytree::inspector::FlowsTest test;
-    return QTest::qExec(&test, argc, argv);
+    return raytree::inspector::test::run_tests<raytree::inspector::FlowsTest>(argc, argv);
 }
 
 #include "flows_test.moc"

@@ -13,25 +13,21 @@
 #include <QtTest>
 
 #include "app/sample_lessons.h"
+#include "app/shown_window.h"
 #include "state/commands.h"
 #include "window/choice_button.h"
 #include "window/lesson_pane.h"
-#include "window/main_window.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
-#include "window/run.h"
-#include "window/scene_pane.h"
 
 namespace raytree::inspector {
 
-class LessonPaneTest : public QObject {
+class LessonPaneTest : public test::ShownWindow {
     Q_OBJECT
 
   private:
     QTemporaryDir settings_;
     test::Lessons lessons_{"raytree-lesson-pane-test"};
-    State state_;
-    std::unique_ptr<MainWindow> window_;
 
     LessonPane& pane() const { return *window_->findChild<LessonPane*>(); }
     template <class Widget> Widget* shown(const QString& name = {}) const {
@@ -82,10 +78,7 @@ class LessonPaneTest : public QObject {
     void initTestCase() {
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
         QApplication::setOrganizationName(QStringLiteral("raytree-test"));
-        window_ = std::make_unique<MainWindow>(state_);
-        window_->resize(1280, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        show_window();
         state_.set_lesson_folder(lessons_.folder);
     }
 
@@ -268,10 +261,7 @@ class LessonPaneTest : public QObject {
 }  // namespace raytree::inspector
 
 int main(int argc, char** argv) {
-    raytree::inspector::prepare_qt();
-    QApplication application(argc, argv);
-    raytree::inspector::LessonPaneTest test;
-    return QTest::qExec(&test, argc, argv);
+    return raytree::inspector::test::run_tests<raytree::inspector::LessonPaneTest>(argc, argv);
 }
 
 #include "lesson_pane_test.moc"

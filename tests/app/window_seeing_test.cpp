@@ -3,12 +3,12 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QTest>
 #include <QTreeWidget>
 #include <QUrl>
 #include <numeric>
 
 #include "app/scenes.h"
+#include "app/shown_window.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
 #include "state/commands.h"
@@ -16,20 +16,13 @@
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/filter_pane.h"
-#include "window/main_window.h"
 #include "window/outline_pane.h"
-#include "window/run.h"
-#include "window/scene_pane.h"
+#include "window/picture_pane.h"
 
 namespace raytree::inspector {
 
-class WindowSeeingTest : public QObject {
+class WindowSeeingTest : public test::ShownWindow {
     Q_OBJECT
-
-    State state_;
-    std::unique_ptr<MainWindow> window_;
-
-    QWidget* canvas() { return window_->scene_pane().focusProxy(); }
 
     /// How many pixels of the 3D view are near a colour.
     int pixels_of(Ink ink) {
@@ -64,12 +57,23 @@ class WindowSeeingTest : public QObject {
         return std::nullopt;
     }
 
+    /// How many pixels of the 3D view differ in its image, by more than smoothing of edges may.
+    int different(const QImage& a, const QImage& b) {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y) {
+            for (int x = 0; x < a.width(); ++x) {
+                const QColor p = a.pixelColor(x, y), q = b.pixelColor(x, y);
+                count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                             std::abs(p.blue() - q.blue()) >
+                         48;
+            }
+        }
+        return count;
+    }
+
   private Q_SLOTS:
     void initTestCase() {
-        window_ = std::make_unique<MainWindow>(state_);
-        window_->resize(1280, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        show_window();
         state_.show(test::opened(test::glass_ball_scene()));
         QTRY_VERIFY(window_->feed().done());
         QTRY_VERIFY(window_->scene_pane().frames() > 0);
@@ -283,15 +287,36 @@ class WindowSeeingTest : public QObject {
         }
         QVERIFY2(count > 500, std::to_string(count).c_str());
     }
+
+    /// Shapes, once they have stood still, are not drawn again when another ray is chosen.
+    void what_is_kept_of_the_3d_view_is_what_a_whole_drawing_shows() {
+        ScenePane& pane = window_->scene_pane();
+        window_->picture_pane().setFocus();  // no frame around the view
+        int compared = 0;
+        for (const Request view : {Request::from_side, Request::fit_tree}) {
+            state_.request(view);
+            for (const std::size_t ray : {std::size_t{1}, state_.tree()->tree.rays.size() - 1}) {
+                QTRY_VERIFY(pane.keeps());
+                state_.select(ray);
+                const QImage kept = pane.grab().toImage();
+                compared += pane.keeps();
+                const QImage whole = pane.image(pane.size());
+                QVERIFY(!pane.keeps());
+                QCOMPARE(kept.size(), whole.size());
+                const int wrong = different(kept, whole);
+                QVERIFY2(wrong < kept.width() * kept.height() / 100,
+                         qPrintable(QString::number(wrong)));
+                state_.request(view);
+            }
+        }
+        QVERIFY(compared > 0);
+    }
 };
 
 }  // namespace raytree::inspector
 
 int main(int argc, char** argv) {
-    raytree::inspector::prepare_qt();
-    QApplication application(argc, argv);
-    raytree::inspector::WindowSeeingTest test;
-    return QTest::qExec(&test, argc, argv);
+    return raytree::inspector::test::run_tests<raytree::inspector::WindowSeeingTest>(argc, argv);
 }
 
 #include "window_seeing_test.moc"

@@ -3,50 +3,74 @@
 #include <QAbstractItemModel>
 #include <QAction>
 #include <QApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QTabBar>
+#include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeWidget>
+#include <QUrl>
 #include <QtTest>
+#include <set>
 
 #include "app/scenes.h"
+#include "app/shown_window.h"
+#include "folders.h"
 #include "state/commands.h"
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
-#include "window/main_window.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
-#include "window/run.h"
-#include "window/scene_pane.h"
 
 namespace raytree::inspector {
 
-class WindowTest : public QObject {
+class WindowTest : public test::ShownWindow {
     Q_OBJECT
 
   private:
-    State state_;
-    std::unique_ptr<MainWindow> window_;
-
     std::size_t outline_ray() const {
         const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
         return model->row(window_->outline_pane().currentIndex()).ray;
     }
-    QWidget* canvas() const { return window_->scene_pane().focusProxy(); }
     void check_linked(std::size_t ray) const {
         QCOMPARE(state_.selected()->id, ray);
         QCOMPARE(outline_ray(), ray);
         QVERIFY(window_->details_pane().toPlainText().contains(QStringLiteral("#%1").arg(ray)));
     }
 
+    /// What a dialog says that comes up meanwhile; it is closed then.
+    template <class Act> static QString told_when(Act act) {
+        QString told;
+        QTimer looking;
+        QObject::connect(&looking, &QTimer::timeout, [&] {
+            if (auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                told = box->informativeText();
+                box->close();
+            }
+        });
+        looking.start(20);
+        act();
+        return told;
+    }
+
+    /// Whether the window takes the file.
+    bool drop(const QString& file) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &enter);
+        QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(window_.get(), &drop);
+        return enter.isAccepted();
+    }
+
   private Q_SLOTS:
     void initTestCase() {
-        window_ = std::make_unique<MainWindow>(state_);
-        window_->resize(1280, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        show_window();
         state_.show(test::opened(test::glass_ball_scene()));
         QTRY_VERIFY(window_->feed().done());
         QTRY_VERIFY(window_->scene_pane().frames() > 0);
@@ -220,17 +244,42 @@ class WindowTest : public QObject {
 
     void a_broken_file_is_told_in_a_dialog_and_changes_nothing() {
         const auto before = state_.document();
-        QString told;
-        QTimer::singleShot(100, [&] {
-            auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            told = box ? box->informativeText() : QString();
-            if (box) {
-                box->close();
-            }
-        });
-        window_->open(QStringLiteral("/no/such/scene.json"));
-        QVERIFY2(told.contains(QStringLiteral("/no/such/scene.json")), qPrintable(told));
+        const QString missing = QStringLiteral("/no/such/scene.json");
+        const QString told = told_when([&] { window_->open(missing); });
+        QVERIFY2(told.contains(missing), qPrintable(told));
         QVERIFY(state_.document() == before);
+    }
+
+    void a_file_that_is_dropped_is_opened_or_told_to_be_broken() {
+        const QTemporaryDir folder;
+        QFile broken(folder.filePath(QStringLiteral("broken.json")));
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write("{\"format\": \"raytree-scene/1.0\", \"camera\"");
+        broken.close();
+        const auto before = state_.document();
+        const QString told = told_when([&] { QVERIFY(drop(broken.fileName())); });
+        QVERIFY2(told.contains(broken.fileName()), qPrintable(told));
+        QVERIFY(state_.document() == before);
+        QVERIFY(drop(QStringLiteral(RAYTREE_DATA_DIR "/scenes/prism.json")));
+        QTRY_VERIFY(state_.tree() && state_.document() != before);
+        state_.show(test::opened(test::glass_ball_scene()));
+        QTRY_VERIFY(state_.tree() && window_->feed().done());
+    }
+
+    void tab_reaches_every_pane_forwards_and_backwards() {
+        QWidget* const panes[] = {&window_->picture_pane(), canvas(), &window_->details_pane(),
+                                  &window_->outline_pane(), window_->findChild<QTabBar*>()};
+        for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+            window_->outline_pane().setFocus();
+            std::set<QWidget*> reached;
+            for (int k = 0; k < 300; ++k) {  // the details have a stop for each number
+                QTest::keyClick(QApplication::focusWidget(), key);
+                reached.insert(QApplication::focusWidget());
+            }
+            for (QWidget* const pane : panes) {
+                QVERIFY2(reached.contains(pane), pane->metaObject()->className());
+            }
+        }
     }
 
     void the_cheat_sheet_lists_the_commands() {
@@ -279,10 +328,7 @@ class WindowTest : public QObject {
 }  // namespace raytree::inspector
 
 int main(int argc, char** argv) {
-    raytree::inspector::prepare_qt();
-    QApplication application(argc, argv);
-    raytree::inspector::WindowTest test;
-    return QTest::qExec(&test, argc, argv);
+    return raytree::inspector::test::run_tests<raytree::inspector::WindowTest>(argc, argv);
 }
 
 #include "window_test.moc"

@@ -89,6 +89,15 @@ TEST_CASE("the terms of a hit are those of the model, branches last") {
     CHECK(terms[4].grey);
 }
 
+TEST_CASE("of a summand that its sum does not notice a text says 0") {
+    RayTree<double> tree = test::example_tree();
+    tree.rays[0].specular = {2e-141, 0.25, 1e-30};
+    const std::vector<Term> terms = terms_of(tree, tree.rays[0], children_of(tree)[0]);
+    CHECK(terms[2].numbers == std::array<std::string, 3>{"0", "0.25", "0"});
+    // Half a unit in the last place of 1 is what 1 does not notice; a sum of its own size does.
+    CHECK(noticed({0x1p-53, 0x1p-52, 1e-141}, {1, 1, 1e-141}) == Rgb<double>(0, 0x1p-52, 1e-141));
+}
+
 TEST_CASE("a reason is followed by the numbers behind it") {
     RayTree<double> tree = test::example_tree();
     const TreeRay<double>& ray = tree.rays[3];

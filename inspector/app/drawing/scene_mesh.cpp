@@ -16,7 +16,7 @@
 namespace raytree::inspector {
 namespace {
 
-constexpr double triangle_budget = 250'000;
+constexpr double triangle_budget = 120'000;
 constexpr double mesh_budget = 40'000;  // triangles of all meshes, which have no fewer from afar
 constexpr double most_slices = 90;      // of a round shape
 

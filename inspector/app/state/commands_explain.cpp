@@ -120,17 +120,21 @@ template <bool more> void change_bias(State& state, std::string_view) {
 
 void flip_time(State& state, std::string_view) {
     const bool on = state.explained().time.has_value();
-    change(state, [&](Explained& explained) {
-        explained.time =
-            on ? std::nullopt : std::optional(measure_time_share(state.document()->world()));
-    });
+    std::optional<TimeShare> time;
+    if (!on) {
+        state.do_beside("Measuring where the time goes",
+                        [&] { time = measure_time_share(state.document()->world()); });
+    }
+    change(state, [&](Explained& explained) { explained.time = time; });
 }
 void flip_accuracy(State& state, std::string_view) {
     const bool on = state.explained().accuracy.has_value();
-    change(state, [&](Explained& explained) {
-        explained.accuracy =
-            on ? std::nullopt : std::optional(measure_work_precision(state.document()->scene()));
-    });
+    std::optional<WorkPrecision> accuracy;
+    if (!on) {
+        state.do_beside("Measuring run time and error",
+                        [&] { accuracy = measure_work_precision(state.document()->scene()); });
+    }
+    change(state, [&](Explained& explained) { explained.accuracy = accuracy; });
 }
 
 void show_nothing(State& state, std::string_view) {

@@ -1,7 +1,6 @@
 #include "state/details.h"
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "state/numbers.h"
@@ -28,15 +27,9 @@ template <class Triple> Row triple_row(std::string label, const Triple& triple) 
     return {std::move(label), aligned(triple), Weight::normal, false, {}, values_of(triple)};
 }
 
-/// What a sum does not notice is shown as 0: below the rounding of the sum's own value, in the same
-/// channel. Copied, it has all of its digits.
+/// What a sum does not notice is shown as 0. Copied, it has all of its digits.
 Row summand_row(std::string label, const Rgb<double>& part, const Rgb<double>& sum) {
-    const auto shown = [](double one, double all) {
-        constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
-        return std::abs(one) > rounding * std::abs(all) ? one : 0;
-    };
-    Row row = triple_row(std::move(label), Rgb<double>(shown(part.r, sum.r), shown(part.g, sum.g),
-                                                       shown(part.b, sum.b)));
+    Row row = triple_row(std::move(label), noticed(part, sum));
     row.values = values_of(part);
     return row;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <new>
 
 #include "trace/ray_list.h"
 
@@ -166,11 +167,15 @@ void Explainer::ask(ExplanationAsked asked) {
     work_.ask([to = working_ ? asked_ : ExplanationAsked{}, done_of = done_of_,
                done = done_](const std::stop_token& stop) {
         Explanation all;
-        if (to.document) {
-            take_scene(to, {done_of, done}, all);
-        }
-        if (to.document && !stop.stop_requested()) {
-            take_ray(to, {done_of, done}, all);
+        try {
+            if (to.document) {
+                take_scene(to, {done_of, done}, all);
+            }
+            if (to.document && !stop.stop_requested()) {
+                take_ray(to, {done_of, done}, all);
+            }
+        } catch (const std::bad_alloc&) {
+            all.failure = "There is too little memory to explain this.";
         }
         return all;
     });

@@ -45,6 +45,7 @@ struct Explanation {
     std::optional<DepthComparison> comparison;  ///< at the selected ray's hit
     std::vector<ZBufferStep> z_buffer;
     std::optional<CrossingWalk> crossings;
+    std::string failure;  ///< why there is less of it than was asked for; else empty
 };
 
 /// What is to be explained.

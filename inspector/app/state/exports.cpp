@@ -44,18 +44,23 @@ std::string extension_of(const std::string& file) {
 
 void export_tree(State& state, TreeExport as, const std::string& file) {
     expect_writable(state, file);
-    write_output(file, written(own_tree(*state.tree()), state.document()->scene(), as));
+    state.do_beside("Writing " + fs::path(file).filename().string(), [&] {
+        write_output(file, written(own_tree(*state.tree()), state.document()->scene(), as));
+    });
     state.say("Written: " + file);
 }
 
 void export_scene(State& state, const std::string& file) {
     expect_writable(state, file);
-    Scene scene = state.document()->scene();
-    relocate_meshes(scene, state.document()->file().parent_path(), fs::path(file).parent_path());
     std::string message = "Written: " + file;
-    for (const std::string& lost : save_scene(scene, file)) {
-        message += "\nNot said in it: " + lost;
-    }
+    state.do_beside("Writing " + fs::path(file).filename().string(), [&] {
+        Scene scene = state.document()->scene();
+        relocate_meshes(scene, state.document()->file().parent_path(),
+                        fs::path(file).parent_path());
+        for (const std::string& lost : save_scene(scene, file)) {
+            message += "\nNot said in it: " + lost;
+        }
+    });
     state.say(std::move(message));
 }
 

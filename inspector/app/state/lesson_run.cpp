@@ -47,9 +47,7 @@ std::size_t option_from(std::string_view text, std::size_t count) {
 
 }  // namespace
 
-LessonRun::LessonRun(std::shared_ptr<const lesson::Lesson> lesson) : play_(std::move(lesson)) {
-    go_to(0);
-}
+LessonRun::LessonRun(std::shared_ptr<const lesson::Lesson> lesson) : play_(std::move(lesson)) {}
 
 const LessonAnswer* LessonRun::answer() const {
     const auto found = answers_.find(step_);
@@ -61,20 +59,32 @@ bool LessonRun::is_solved(std::size_t step) const {
     return found != answers_.end() && found->second.right;
 }
 
-void LessonRun::go_to(std::size_t step) {
-    step_ = step;
-    page_ = {};
+LessonPage LessonRun::prepared(std::size_t step) const {
+    const lesson::Step& there = lesson().steps[step];
+    LessonPage page;
     try {
-        page_.text = play_.text(step_);
-        if (here().ask) {
-            page_.question = play_.question(step_);
-            for (std::size_t k = 0; k < here().ask->options.size(); ++k) {
-                page_.options.push_back(play_.option(step_, k));
+        page.text = play_.text(step);
+        if (there.ask) {
+            page.question = play_.question(step);
+            for (std::size_t k = 0; k < there.ask->options.size(); ++k) {
+                page.options.push_back(play_.option(step, k));
             }
         }
+        if (there.show.time) {
+            lesson::time_share_of(*play_.world(step));
+        }
+        if (there.show.accuracy) {
+            lesson::work_precision_of(*play_.world(step));
+        }
     } catch (const std::exception& error) {
-        page_.failure = error.what();
+        page.failure = error.what();
     }
+    return page;
+}
+
+void LessonRun::go_to(std::size_t step, LessonPage page) {
+    step_ = step;
+    page_ = std::move(page);
 }
 
 std::shared_ptr<const Document> LessonRun::document() {

@@ -45,8 +45,11 @@ class LessonRun {
     /// Whether a step's question has been answered rightly.
     bool is_solved(std::size_t step) const;
 
+    /// What of a step takes long: its texts, and what they tell measured. May be done in another
+    /// thread while nothing else is asked of the lesson.
+    LessonPage prepared(std::size_t step) const;
     /// To a step that there is.
-    void go_to(std::size_t step);
+    void go_to(std::size_t step, LessonPage page);
     /// The scene of the step; the same document for steps that show the same.
     std::shared_ptr<const Document> document();
     /// Measured once for each scene: what the texts say of it.

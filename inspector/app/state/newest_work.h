@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -15,7 +16,7 @@ namespace raytree::inspector {
 /// asked for last is what is wanted: older work is told to stop, and its answer is dropped.
 template <class Answer> class NewestWork {
   public:
-    /// May throw once it has been told to stop, and not otherwise.
+    /// What it throws once it has been told to stop is dropped with its answer.
     using Work = std::function<Answer(std::stop_token)>;
 
     NewestWork() : thread_([this] { run(); }) {}
@@ -36,14 +37,19 @@ template <class Answer> class NewestWork {
             stop_ = {};
             work_ = std::move(work);
             answer_.reset();
+            thrown_ = nullptr;
         }
         asked_.notify_one();
     }
 
-    /// The answer to what was asked for last, once; waits for it no longer than `patience`.
+    /// The answer to what was asked for last, once; waits for it no longer than `patience`. Throws
+    /// what the work has thrown.
     std::optional<Answer> take(std::chrono::milliseconds patience) {
         std::unique_lock lock(mutex_);
-        answered_.wait_for(lock, patience, [this] { return answer_.has_value(); });
+        answered_.wait_for(lock, patience, [this] { return answer_ || thrown_; });
+        if (thrown_) {
+            std::rethrow_exception(std::exchange(thrown_, nullptr));
+        }
         return std::exchange(answer_, std::nullopt);
     }
 
@@ -58,23 +64,19 @@ template <class Answer> class NewestWork {
             const Work work = std::exchange(work_, nullptr);
             const std::stop_token stop = stop_.get_token();
             lock.unlock();
-            std::optional<Answer> answer = answer_of(work, stop);
+            std::optional<Answer> answer;
+            std::exception_ptr thrown;
+            try {
+                answer = work(stop);
+            } catch (...) {
+                thrown = std::current_exception();
+            }
             lock.lock();
             if (!stop.stop_requested()) {
                 answer_ = std::move(answer);
+                thrown_ = thrown;
                 answered_.notify_one();
             }
-        }
-    }
-
-    static std::optional<Answer> answer_of(const Work& work, const std::stop_token& stop) {
-        try {
-            return work(stop);
-        } catch (...) {
-            if (!stop.stop_requested()) {
-                throw;
-            }
-            return std::nullopt;
         }
     }
 
@@ -83,6 +85,7 @@ template <class Answer> class NewestWork {
     Work work_;                     ///< guarded by mutex_, as all below
     std::stop_source stop_;         ///< of the work asked for last
     std::optional<Answer> answer_;  ///< to it
+    std::exception_ptr thrown_;     ///< instead of an answer
     bool ending_ = false;
     std::thread thread_;
 };

@@ -1,6 +1,7 @@
 #include "state/overlay.h"
 
 #include <algorithm>
+#include <new>
 
 #include "state/explanation.h"
 
@@ -144,6 +145,8 @@ void OverlayRender::run() {
         }
     } catch (const InputError& error) {
         failure_ = error.what();
+    } catch (const std::bad_alloc&) {
+        failure_ = "There is too little memory to measure this.";
     }
     stopped_ = true;
 }

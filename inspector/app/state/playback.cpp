@@ -27,10 +27,11 @@ std::string skipped_sentence(const RayTree<double>& tree, const TreeRay<double>&
            skipped_text(tree, ray, skipped) + ".";
 }
 
-std::string returned_text(const TreeRay<double>& ray) {
+std::string returned_text(const RayTree<double>& tree, const TreeRay<double>& ray) {
     if (ray.shadow) {
-        return title_of(ray) +
-               " adds diffuse + specular = " + triple_text(ray.diffuse + ray.specular) + ".";
+        const Rgb<double>& sum = tree.rays[ray.parent.value_or(ray.id)].intensity;
+        return title_of(ray) + " adds diffuse + specular = " +
+               triple_text(noticed(ray.diffuse + ray.specular, sum)) + ".";
     }
     return title_of(ray) + " returns I = " + triple_text(ray.intensity) +
            (ray.hit ? "." : ", the background.");
@@ -96,7 +97,7 @@ std::string event_text(const Playback& playback) {
         case TreeEvent::Kind::skipped:
             return skipped_sentence(playback.tree(), ray, ray.skipped[event.skip]);
         default:
-            return returned_text(ray);
+            return returned_text(playback.tree(), ray);
     }
 }
 

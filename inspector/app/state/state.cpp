@@ -177,7 +177,22 @@ std::optional<Changes> State::take_tree(std::chrono::milliseconds patience) {
     return changes;
 }
 
+void State::do_beside(const std::string& doing, const std::function<void()>& work) {
+    if (!beside_ || busy_) {
+        return work();
+    }
+    struct Busy {
+        bool& flag;
+        explicit Busy(bool& f) : flag(f) { flag = true; }
+        ~Busy() { flag = false; }
+    } const busy(busy_);
+    beside_(doing, work);
+}
+
 void State::poll(std::chrono::milliseconds patience) {
+    if (busy_) {
+        return;
+    }
     if (tracing_) {
         const std::string waiting = std::exchange(message_, {});
         if (const auto changes = take_tree(patience)) {
@@ -187,7 +202,8 @@ void State::poll(std::chrono::milliseconds patience) {
         }
     }
     if (explainer_->poll(patience)) {
-        tell({.explained = true});
+        message_ += explainer_->explanation().failure;
+        tell({.message = !explainer_->explanation().failure.empty(), .explained = true});
     }
 }
 

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "state/changes.h"
 #include "state/document.h"
 #include "state/edits.h"
 #include "state/explained.h"
 #include "state/explanation.h"
 #include "state/history.h"
 #include "state/lesson_run.h"
+#include "state/look.h"
 #include "state/newest_work.h"
-#include "state/palette.h"
 #include "state/playback.h"
-#include "state/ray_filter.h"
 #include "state/table.h"
 #include "state/thing.h"
 #include "state/tree_question.h"
@@ -23,88 +23,6 @@
 
 /// What the inspector shows. Views read it and are told what has changed; commands change it.
 namespace raytree::inspector {
-
-enum class ShapeStyle { see_through, solid, wire };
-
-/// How things are shown, apart from what is shown.
-struct Look {
-    Theme theme = Theme::light;
-    ShapeStyle shapes = ShapeStyle::see_through;
-    RayFilter filter;                ///< of the rays in the 3D view
-    bool ghosts = true;              ///< whether rays that were not sent are shown
-    bool angles = true;              ///< whether those at the selected hit are drawn
-    std::optional<Measure> overlay;  ///< shown in the picture's place; none: the picture itself
-    /// There instead, while a light's depth picture is explained: where it differs from shadow
-    /// rays.
-    bool depth_overlay = false;
-    bool names = true;    ///< whether things in the 3D view bear their names
-    bool bounds = false;  ///< whether numbers are shown with their error bounds
-    Neighbours neighbours = Neighbours::none;  ///< pixels whose trees the 3D view shows as well
-};
-
-/// Of the pane that shows the tree in one of three ways.
-struct TreePane {
-    enum class Tab { outline, diagram, counts, filter, explained };
-    Tab tab = Tab::outline;
-    /// The share of the pixel below which the diagram folds branches; none: as small a one as
-    /// leaves a diagram that can be read at a glance.
-    std::optional<double> fold_below = std::nullopt;
-    double room = 0;    ///< how wide that is, in the diagram's units; 0 where nobody knows
-    bool tall = false;  ///< whether the pane has most of the window's height
-};
-
-/// What stands in the place for lessons.
-enum class LessonSide { hidden, contents, lesson };
-
-/// What stands beside the 3D view.
-enum class SidePane { none, steps, change, compare };
-
-/// What is asked of the views once; nothing of it stays in the state.
-enum class Request {
-    through_camera,
-    from_side,
-    onto_hit,
-    fit_tree,
-    fit_selection,
-    fit_picture,
-    export_picture,
-    export_window,
-    export_view,
-    copy_window,
-    copy_view,
-    copy_text,
-    copy_number,
-    copy_rows,
-    copy_table,
-    choose_columns,
-    fit_diagram,
-    diagram_closer,
-    diagram_further,
-    cheat_sheet,
-    save_scene_as,
-    quit
-};
-
-/// What has changed since a view last looked.
-struct Changes {
-    bool document = false;
-    bool tree = false;  ///< pixel, tree, and so the selection
-    bool selection = false;
-    bool look = false;
-    bool tree_pane = false;
-    bool table = false;
-    bool message = false;
-    bool values = false;    ///< the document is the same scene with other values
-    bool coats = false;     ///< and its surfaces look different
-    bool playback = false;  ///< how far the tree is stepped through
-    bool side_pane = false;
-    bool lesson = false;     ///< the lesson, its step, or what has been answered
-    bool explained = false;  ///< what is shown besides the rays
-    /// From where the 3D view is to look at things.
-    std::optional<lesson::FreeView> view_from = std::nullopt;
-    std::optional<Request> request = std::nullopt;
-    std::string text = {};  ///< of a request: the file to write, or the text to copy
-};
 
 class State {
   public:
@@ -161,6 +79,16 @@ class State {
     void poll(std::chrono::milliseconds patience = {});
     /// One line for people; empty to clear it.
     void say(std::string message);
+
+    /// What takes longer than a window may stand still is done by whoever can do it beside the
+    /// window, saying what is being done, and is done when that returns; here and now, unless there
+    /// is somebody. Throws what the work throws.
+    using Beside = std::function<void(const std::string& doing, const std::function<void()>& work)>;
+    void set_beside(Beside beside) { beside_ = std::move(beside); }
+    void do_beside(const std::string& doing, const std::function<void()>& work);
+    /// Whether something is being done so: nothing is to be changed until it is done.
+    bool busy() const { return busy_; }
+
     SidePane side_pane() const { return side_pane_; }
     void show_side(SidePane pane);
 
@@ -242,6 +170,7 @@ class State {
   private:
     void stage(const lesson::Show& show);
     void step_up_to(std::size_t last);
+    void prepare_lesson_step(std::size_t step);
     Explained explained_by(const lesson::Show& show) const;
     bool forget_measured();
     void show_answer(const Json& answer);
@@ -305,6 +234,8 @@ class State {
     std::optional<double> tried_;  ///< instead of the step's own value
     Explained explained_;
     std::unique_ptr<Explainer> explainer_ = std::make_unique<Explainer>();
+    Beside beside_;
+    bool busy_ = false;
     std::vector<Observer> observers_;
 };
 

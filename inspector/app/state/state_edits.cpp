@@ -59,13 +59,16 @@ void State::dismiss_cut() {
 }
 
 void State::save_scene_as(const std::filesystem::path& file) {
-    Scene scene = document_->scene();
-    put(edits_.values(), scene);
-    relocate_meshes(scene, document_->file().parent_path(), file.parent_path());
+    Scene scene;
     std::string message = "Saved: " + file.string();
-    for (const std::string& lost : save_scene(scene, file)) {
-        message += "\nNot said in it: " + lost;
-    }
+    do_beside("Writing " + file.filename().string(), [&] {
+        scene = document_->scene();
+        put(edits_.values(), scene);
+        relocate_meshes(scene, document_->file().parent_path(), file.parent_path());
+        for (const std::string& lost : save_scene(scene, file)) {
+            message += "\nNot said in it: " + lost;
+        }
+    });
     if (file.extension() == ".json") {
         own_file_ = opened_file_ = file;
         edits_.mark_saved();

@@ -76,7 +76,7 @@ void State::show_lessons(LessonSide pane) {
 void State::open_lesson(std::shared_ptr<const lesson::Lesson> lesson, std::size_t step) {
     lesson_ = std::make_unique<LessonRun>(std::move(lesson));
     lesson_side_ = LessonSide::lesson;
-    go_to_lesson_step(step);
+    go_to_lesson_step(step < lesson_->count() ? step : 0);
 }
 
 void State::close_lesson() {
@@ -88,10 +88,16 @@ void State::close_lesson() {
 
 void State::go_to_lesson_step(std::size_t step) {
     if (lesson_ && step < lesson_->count()) {
-        lesson_->go_to(step);
+        prepare_lesson_step(step);
         lesson_side_ = LessonSide::lesson;
         show_lesson_view();
     }
+}
+
+void State::prepare_lesson_step(std::size_t step) {
+    LessonPage page;
+    do_beside("Measuring what the step tells", [&] { page = lesson_->prepared(step); });
+    lesson_->go_to(step, std::move(page));
 }
 
 void State::show_lesson_view() {

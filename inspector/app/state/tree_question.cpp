@@ -1,5 +1,6 @@
 #include "state/tree_question.h"
 
+#include <new>
 #include <utility>
 
 namespace raytree::inspector {
@@ -54,16 +55,18 @@ std::pair<TreeSource, std::optional<Comparison>> sources(const TreeQuestion& que
 
 TracedPixel answer(const TreeQuestion& asked, const std::stop_token& stop) {
     TreeQuestion question = asked;
-    if (question.values) {
-        question.document = with_values(question.document, *question.values);
-    }
     TracedPixel traced{question.document, nullptr, {}};
-    const auto [shown, with] = sources(question);
     try {
+        if (question.values) {
+            traced.document = question.document = with_values(question.document, *question.values);
+        }
+        const auto [shown, with] = sources(question);
         traced.tree = std::make_shared<const PixelTree>(with ? laid_over(shown, *with, stop)
                                                              : tree_from(shown, stop));
     } catch (const InputError& error) {
         traced.failure = error.what();
+    } catch (const std::bad_alloc&) {
+        traced.failure = "There is too little memory for the tree of this pixel.";
     }
     return traced;
 }

@@ -252,6 +252,7 @@ void Scene3d::set_view(const View& view) {
 }
 
 void Scene3d::keep() { parts_->renderer->keep(); }
+bool Scene3d::keeps() const { return parts_->renderer->keeps(); }
 
 void Scene3d::render() { parts_->window->Render(); }
 

@@ -42,6 +42,8 @@ class Scene3d {
     /// Shapes, picture and view stay the same for a while: the next frame is drawn in a way that
     /// makes those after it quick.
     void keep();
+    /// Whether the last frame was drawn so.
+    bool keeps() const;
     void render();
 
   private:

@@ -4,7 +4,10 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
+#include <vtkTextureObject.h>
 #include <vtk_glew.h>
+
+#include <utility>
 
 namespace raytree::inspector {
 
@@ -56,18 +59,32 @@ void StandingRenderer::copy(bool back) {
     window->GetState()->PopFramebufferBindings();
 }
 
+/// Both images get a stencil beside their depths. VTK 9.1 makes one where it is told to, on a new
+/// size alone, but attaches it as depths only: without it every test of it passes, and see-through
+/// things are laid over everything a second time.
 void StandingRenderer::make_room() {
     auto* const window = static_cast<vtkOpenGLRenderWindow*>(GetRenderWindow());
     const int* const size = window->GetSize();
-    if (size[0] != width_ || size[1] != height_) {
-        width_ = size[0];
-        height_ = size[1];
-        kept_ = false;
-        window->GetState()->PushFramebufferBindings();
-        image_->SetContext(window);
-        image_->PopulateFramebuffer(width_, height_, true, 1, VTK_UNSIGNED_CHAR, true, 24, 0, true);
-        window->GetState()->PopFramebufferBindings();
+    if (size[0] == width_ && size[1] == height_) {
+        return;
     }
+    width_ = size[0];
+    height_ = size[1];
+    kept_ = false;
+    window->GetState()->PushFramebufferBindings();
+    for (vtkOpenGLFramebufferObject* const buffer :
+         {window->GetRenderFramebuffer(), image_.Get()}) {
+        buffer->SetContext(window);
+        for (const auto& [width, height] : {std::pair(1, 1), std::pair(width_, height_)}) {
+            buffer->PopulateFramebuffer(width, height, true, 1, VTK_UNSIGNED_CHAR, true, 24, 0,
+                                        true);
+        }
+        buffer->Bind();
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D,
+                               buffer->GetDepthAttachmentAsTextureObject()->GetHandle(), 0);
+    }
+    window->GetState()->PopFramebufferBindings();
+    Clear();  // what is new is empty
 }
 
 void StandingRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) {

@@ -28,6 +28,8 @@ class StandingRenderer : public vtkOpenGLRenderer {
     void forget() { keeps_ = kept_ = false; }
     /// Nothing is likely to change about them soon: the next frame keeps them.
     void keep() { keeps_ = true; }
+    /// Whether the last frame was drawn into what is kept.
+    bool keeps() const { return kept_; }
 
     void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) override;
     void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* target) override;

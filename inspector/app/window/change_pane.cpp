@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -95,17 +96,18 @@ ChangePane::ChangePane(State& state, std::function<void(const InputError&)> fail
 
 QWidget* ChangePane::make_buttons() {
     auto* const box = new QWidget;
-    auto* const layout = new QHBoxLayout(box);
+    auto* const layout = new QGridLayout(box);  // beside a lesson there is no room for one row
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
+    constexpr int row_length = 3;
     for (const auto& [command, title] :
          {std::pair("change.undo", "Undo"), std::pair("change.redo", "Redo"),
           std::pair("change.reset", "Reset"), std::pair("compare.before", "Compare"),
           std::pair("file.save", "Save")}) {
         auto* const made = new QPushButton(QString::fromUtf8(title));
         made->setToolTip(qt(find_command(command)->help));
-        made->setMinimumWidth(10);
-        layout->addWidget(made);
+        const int place = static_cast<int>(buttons_.size());
+        layout->addWidget(made, place / row_length, place % row_length);
         buttons_.emplace_back(made, command);
         connect(made, &QPushButton::clicked, this, [this, id = command] {
             try {
@@ -217,8 +219,10 @@ void ChangePane::add_row(QFormLayout* form, const Knob& knob) {
     row.slider->setRange(whole ? static_cast<int>(knob.least) : 0,
                          whole ? static_cast<int>(knob.most) : slider_steps);
     row.slider->setPageStep(whole ? 1 : slider_steps / 20);
+    row.field->setMinimumWidth(
+        row.field->fontMetrics().horizontalAdvance(QStringLiteral("0.00, 0.00, 0.00")) + 14);
     layout->addWidget(row.slider, 1);
-    layout->addWidget(row.field, 1);
+    layout->addWidget(row.field);
     form->addRow(label, box);
     connect(row.slider, &QSlider::valueChanged, this,
             [this, row](int at) { take_slider(row, at); });

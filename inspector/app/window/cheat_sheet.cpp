@@ -1,11 +1,14 @@
 #include "window/cheat_sheet.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QKeySequence>
 #include <QLineEdit>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "window/qt_text.h"
 
@@ -65,6 +68,23 @@ void filter(QTreeWidget* list, const QString& text) {
     list->setCurrentItem(first);
 }
 
+/// Keys that move in the list do so from here.
+class SearchLine : public QLineEdit {
+  public:
+    SearchLine(QTreeWidget* list, QWidget* parent) : QLineEdit(parent), list_(list) {}
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        const int key = event->key();
+        const bool moves = key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp ||
+                           key == Qt::Key_PageDown;
+        moves ? void(QApplication::sendEvent(list_, event)) : QLineEdit::keyPressEvent(event);
+    }
+
+  private:
+    QTreeWidget* list_;
+};
+
 }  // namespace
 
 void show_cheat_sheet(const State& state, QWidget* parent,
@@ -72,21 +92,23 @@ void show_cheat_sheet(const State& state, QWidget* parent,
     auto* const dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(QStringLiteral("Keys and commands"));
-    auto* const search = new QLineEdit(dialog);
+    auto* const list = new QTreeWidget(dialog);
+    auto* const search = new SearchLine(list, dialog);
     search->setPlaceholderText(QStringLiteral("Search; Return runs the command that is marked"));
     search->setAccessibleName(QStringLiteral("Search"));
     search->setClearButtonEnabled(true);
-    auto* const list = new QTreeWidget(dialog);
     list->setAccessibleName(QStringLiteral("Commands"));
     list->setHeaderLabels({QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("Menu"),
                            QStringLiteral("What it does")});
     list->setRootIsDecorated(false);
+    list->setFocusPolicy(Qt::NoFocus);  // whatever is typed is searched for
     fill(list, state);
     for (const int column : {title_column, key_column, menu_column}) {
         list->resizeColumnToContents(column);
     }
     const QFontMetrics metrics = dialog->fontMetrics();
-    dialog->resize(metrics.averageCharWidth() * 120, metrics.height() * 38);
+    dialog->resize(std::min(metrics.averageCharWidth() * 150, parent->width() * 9 / 10),
+                   std::min(metrics.height() * 38, parent->height() * 9 / 10));
     const auto run_item = [dialog, run = std::move(run)](const QTreeWidgetItem* item) {
         const Command* const command =
             item ? find_command(item->data(title_column, Qt::UserRole).toString().toStdString())

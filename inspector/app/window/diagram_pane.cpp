@@ -17,7 +17,7 @@ namespace {
 
 constexpr double margin = 14;  // around the diagram
 constexpr double least_scale = 0.02, most_scale = 4;
-constexpr double least_readable = 0.7, most_at_first = 1.25;
+constexpr double least_readable = 0.85, most_at_first = 1.25;
 
 }  // namespace
 

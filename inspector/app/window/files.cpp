@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
+#include <new>
 
 #include "formats/output_file.h"
 #include "state/start_pixel.h"
@@ -60,9 +61,18 @@ bool Files::run(const Command& command, const std::string& file) {
     return true;
 }
 
+/// None where it was cancelled. Throws what the reading throws.
+template <class Reading> auto Files::read(const Path& file, Reading reading) {
+    try {
+        return waiting_.wait(window_, QStringLiteral("Reading %1…").arg(name_of(file)), reading);
+    } catch (const std::bad_alloc&) {
+        throw InputError(file.string(), "", "there is too little memory for what it holds");
+    }
+}
+
 /// A pixel to begin with is looked for in the thread as well.
 std::optional<Opened> Files::load(const Path& file, const std::optional<Path>& scene) {
-    return waiting_.wait(window_, QStringLiteral("Reading %1…").arg(name_of(file)), [=] {
+    return read(file, [=] {
         Opened opened = open_file(file, scene);
         if (!opened.pixel) {
             opened.pixel = start_pixel(*opened.document);
@@ -100,10 +110,7 @@ void Files::read_again() {
 
 void Files::compare(const Path& file) {
     try {
-        const auto recorded =
-            waiting_.wait(window_, QStringLiteral("Reading %1…").arg(name_of(file)),
-                          [=] { return read_recorded(file); });
-        if (recorded) {
+        if (const auto recorded = read(file, [=] { return read_recorded(file); })) {
             state_.compare_with(*recorded);
         }
     } catch (const InputError& error) {
@@ -189,6 +196,10 @@ void Files::watch() {
 }
 
 void Files::look_at_disk() {
+    if (state_.busy()) {
+        settled_.start();
+        return;
+    }
     watch();
     const Stamp now = stamp();
     if (now == read_ || now.size < 0) {

@@ -41,6 +41,7 @@ class Files : public QObject {
     void open(const Path& file, const std::optional<Path>& scene = {});
     void read_again();
     void compare(const Path& file);
+    template <class Reading> auto read(const Path& file, Reading reading);
     std::optional<Opened> load(const Path& file, const std::optional<Path>& scene);
     void obey(const Changes& changes);
     void watch();

@@ -269,4 +269,12 @@ QIcon command_icon(std::string_view id, const Palette& palette) {
     });
 }
 
+void draw_focus(QPainter& painter, const QWidget& pane, const Palette& palette) {
+    if (pane.hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(qt(palette.accent));
+        painter.drawRect(pane.rect().adjusted(0, 0, -1, -1));
+    }
+}
+
 }  // namespace raytree::inspector

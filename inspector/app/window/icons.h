@@ -2,6 +2,7 @@
 
 #include <QIcon>
 #include <QPainter>
+#include <QWidget>
 
 #include "state/palette.h"
 
@@ -18,5 +19,8 @@ QIcon swatch(QColor colour, const Palette& palette);
 
 /// The icon of a command by its id; null where it has none.
 QIcon command_icon(std::string_view id, const Palette& palette);
+
+/// The frame of a pane that keys go to.
+void draw_focus(QPainter& painter, const QWidget& pane, const Palette& palette);
 
 }  // namespace raytree::inspector

@@ -10,8 +10,6 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
-#include <QVBoxLayout>
-#include <algorithm>
 #include <utility>
 
 #include "state/commands.h"
@@ -21,19 +19,18 @@
 #include "window/counts_pane.h"
 #include "window/details_pane.h"
 #include "window/diagram_pane.h"
-#include "window/explained_pane.h"
 #include "window/exporter.h"
 #include "window/files.h"
 #include "window/filter_pane.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
-#include "window/overlay_legend.h"
 #include "window/panel_frame.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
 #include "window/scene_pane.h"
 #include "window/side_dock.h"
 #include "window/theme.h"
+#include "window/waiting.h"
 
 namespace raytree::inspector {
 
@@ -46,6 +43,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     setCentralWidget(make_centre());
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
+    details_->setMinimumWidth(34 * fontMetrics().averageCharWidth());  // three columns of numbers
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
     add_lesson_dock();
@@ -71,59 +69,12 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
         [this](const InputError& error) { report(error); });
     actions_->leave_to(*files_);
     new Exporter(state_, this, scene_);
+    state_.set_beside([this](const std::string& doing, const std::function<void()>& work) {
+        Waiting::finish(this, qt(doing) + QStringLiteral("…"), work);
+    });
     working_.setInterval(30);
     connect(&working_, &QTimer::timeout, this, [this] { state_.poll(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
-}
-
-QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
-    auto* const dock = new QDockWidget(title, this);
-    dock->setObjectName(title);
-    dock->setFeatures(QDockWidget::DockWidgetMovable);
-    dock->setWidget(widget);
-    addDockWidget(area, dock);
-    return dock;
-}
-
-/// Its tabs are its title, so that they take no room.
-void MainWindow::add_tree_dock() {
-    outline_ = new OutlinePane(state_);
-    diagram_ = new DiagramPane(state_);
-    filter_ = new FilterPane(state_);
-    counts_pane_ = new CountsPane(state_);
-    tree_panes_ = new QStackedWidget;
-    tabs_ = new QTabBar;
-    const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
-                                                      {"Diagram", diagram_},
-                                                      {"Counts", counts_pane_},
-                                                      {"Rays shown", filter_},
-                                                      {"Explained", new ExplainedPane(state_)}};
-    for (const auto& [title, pane] : panes) {
-        tabs_->addTab(QString::fromUtf8(title));
-        tree_panes_->addWidget(pane);
-    }
-    tabs_->setExpanding(false);
-    tabs_->setDrawBase(false);
-    connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
-        if (tab != static_cast<int>(state_.tree_pane().tab)) {
-            TreePane pane = state_.tree_pane();
-            pane.tab = static_cast<TreePane::Tab>(tab);
-            state_.change_tree_pane(pane);
-        }
-    });
-    tree_dock_ = add_dock(QStringLiteral("Ray tree"), tree_panes_, Qt::BottomDockWidgetArea);
-    tree_dock_->setTitleBarWidget(tabs_);
-}
-
-void MainWindow::add_lesson_dock() {
-    lesson_pane_ =
-        new LessonPane(state_, [this](const std::string& command, const std::string& argument) {
-            actions_->run(*find_command(command), argument);
-        });
-    lesson_dock_ = add_dock(QStringLiteral("Lesson"), lesson_pane_, Qt::RightDockWidgetArea);
-    lesson_dock_->setTitleBarWidget(new QWidget);  // the pane says itself what it is
-    lesson_dock_->hide();
-    frame_ = new PanelFrame(this);
 }
 
 /// The lesson's pane, and a frame around the one that its step talks about.
@@ -156,71 +107,6 @@ void MainWindow::show_tab() {
     }
 }
 
-QWidget* MainWindow::make_picture_box() {
-    auto* const box = new QWidget;
-    picture_ = new PicturePane(state_, feed_);
-    hovered_ = new QLabel;
-    hovered_->setMargin(4);
-    hovered_->setIndent(6);
-    hovered_->setObjectName(QStringLiteral("aside"));
-    hovered_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    show_hovered(std::nullopt);
-    connect(picture_, &PicturePane::hovered, this, &MainWindow::show_hovered);
-    auto* const layout = new QVBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(1);
-    layout->addWidget(picture_, 1);
-    layout->addWidget(new OverlayLegend(state_, feed_));
-    layout->addWidget(hovered_);
-    return box;
-}
-
-QWidget* MainWindow::make_centre() {
-    auto* const box = new QWidget;
-    message_ = new QLabel;
-    message_->setWordWrap(true);
-    message_->setMargin(6);
-    message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    message_->hide();
-    scene_ = new ScenePane(state_, feed_);
-    auto* const layout = new QVBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(message_);
-    layout->addWidget(scene_, 1);
-    return box;
-}
-
-/// The docks keep their shares of the window; a lesson's text has lines that are easy to read.
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    share_room();
-}
-
-void MainWindow::share_room() {
-    const bool teaches = lesson_dock_->isVisibleTo(this);
-    const int left = teaches ? std::clamp(static_cast<int>(width() * 0.26), 300, 560)
-                             : std::clamp(static_cast<int>(width() * 0.31), 330, 620);
-    if (teaches) {
-        resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},
-                    Qt::Horizontal);
-    }
-    if (teaches && side_->isVisibleTo(this)) {
-        resizeDocks({lesson_dock_, side_}, {height() * 55 / 100, height() * 45 / 100},
-                    Qt::Vertical);
-    }
-    tall_tree_ = state_.tree_pane().tall;
-    const int below =
-        tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
-                   : std::clamp(static_cast<int>(height() * (teaches ? 0.4 : 0.36)), 160, 480);
-    constexpr int legend = 90;  // of an overlay, below the picture
-    const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend : 0),
-                                 static_cast<int>(height() * (overlaid_ ? 0.55 : 0.5)));
-    resizeDocks({picture_dock_, side_}, {left, std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
-    resizeDocks({tree_dock_}, {below}, Qt::Vertical);
-    resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);
-}
-
 void MainWindow::obey(const Changes& changes) {
     if (changes.look) {
         apply_theme(palette_of(state_.look().theme));
@@ -242,8 +128,8 @@ void MainWindow::obey(const Changes& changes) {
     if (state_.working() != working_.isActive()) {
         state_.working() ? working_.start() : working_.stop();
     }
-    if (changes.side_pane && side_->isVisible()) {
-        resizeDocks({side_}, {std::clamp(width() / 4, 290, 400)}, Qt::Horizontal);
+    if (changes.side_pane) {
+        share_room();
     }
     if (changes.tree_pane) {
         show_tab();
@@ -284,11 +170,24 @@ void MainWindow::show_status() {
         pixel_->setText(pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
                                       QStringLiteral("   … not known yet")
                                 : qt(pixel_text(state_.tree()->tree)));
-        counts_->setText(qt(counts_text(state_.tree()->tree)));
+        show_counts();
     } else {
         pixel_->setText(QStringLiteral("Pixel ") + qt(text_of(state_.pixel())));
         counts_->clear();
     }
+}
+
+/// The formula of the full tree where there is room for it; where there is not, as a tooltip.
+void MainWindow::show_counts() {
+    if (!state_.tree()) {
+        return;
+    }
+    const QString all = qt(counts_text(state_.tree()->tree));
+    constexpr int around = 40;  // the labels
+    const bool fits = counts_->fontMetrics().horizontalAdvance(all) + around <=
+                      width() - pixel_->sizeHint().width();
+    counts_->setText(fits ? all : all.section(QStringLiteral("   ·"), 0, 0));
+    counts_->setToolTip(all);
 }
 
 void MainWindow::show_hovered(std::optional<Pixel> pixel) {

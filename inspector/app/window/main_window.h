@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
     void show_tab();
     void obey(const Changes& changes);
     void show_status();
+    void show_counts();
     void show_hovered(std::optional<Pixel> pixel);
     QString ask_file(const QString& title);
     void report(const InputError& error);

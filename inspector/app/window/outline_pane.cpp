@@ -183,7 +183,7 @@ int OutlinePane::width_for(Column column) const {
     };
     switch (column) {
         case Column::intensity:
-            return of("0.000  0.000  0.000") + 28;
+            return of("0.000  0.000  0.000") + 24;
         case Column::t:
         case Column::attenuation:
             return of("-1.234e-5");
@@ -203,8 +203,10 @@ int OutlinePane::width_for(Column column) const {
     }
 }
 
-/// Names share what the numbers leave of the width.
+/// Names share what the numbers leave of the width; beyond the pane's edge is nothing, as long as
+/// there is room for a few letters of each.
 void OutlinePane::size_columns() {
+    constexpr int letters = 44;
     const bool reasons = state_.table().has(Column::ended);
     int rest = viewport()->width();
     for (const Column column : state_.table().columns) {
@@ -213,12 +215,12 @@ void OutlinePane::size_columns() {
             rest -= width_for(column);
         }
     }
-    rest = std::max(rest, fontMetrics().averageCharWidth() * 50);
-    setColumnWidth(static_cast<int>(Column::ray),
-                   static_cast<int>(rest * (reasons ? 0.385 : 0.55)));
-    setColumnWidth(static_cast<int>(Column::met),
-                   static_cast<int>(rest * (reasons ? 0.315 : 0.45)));
-    setColumnWidth(static_cast<int>(Column::ended), static_cast<int>(rest * 0.3));
+    rest = std::max(rest, fontMetrics().averageCharWidth() * letters);
+    const int ray = static_cast<int>(rest * (reasons ? 0.43 : 0.55));
+    const int ended = reasons ? static_cast<int>(rest * 0.32) : 0;
+    setColumnWidth(static_cast<int>(Column::ray), ray);
+    setColumnWidth(static_cast<int>(Column::met), rest - ray - ended);
+    setColumnWidth(static_cast<int>(Column::ended), ended);
 }
 
 }  // namespace raytree::inspector

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tree/explain.h"
+#include "window/icons.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -130,6 +131,7 @@ void PicturePane::paintEvent(QPaintEvent*) {
     }
     draw_compared(painter);
     draw_cross(painter);
+    draw_focus(painter, *this, palette);
 }
 
 /// The picture, or the overlay once it is there.

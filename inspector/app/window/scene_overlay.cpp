@@ -45,6 +45,9 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
     if (state_.look().names) {
         draw_labels(painter, box);
     }
+    if (shows_focus_) {
+        draw_focus(painter, *parentWidget(), palette_of(state_.look().theme));
+    }
 }
 
 std::vector<SceneOverlay::Entry> SceneOverlay::entries() const {

@@ -22,6 +22,8 @@ class SceneOverlay : public QWidget {
     void set_legend(const SceneLegend& legend);
     /// Sentences below the legend: what of the tree is not drawn.
     void set_notes(const QStringList& notes);
+    /// Whether it shows that keys go to the view, as it does on the screen.
+    void show_focus(bool shown) { shows_focus_ = shown; }
     /// How much of the lower edge the legend takes in a view of this width, its margins included.
     int foot(int width) const;
 
@@ -54,6 +56,7 @@ class SceneOverlay : public QWidget {
     std::vector<WordLine> lines_;  ///< rays, which labels keep clear of
     SceneLegend legend_;
     QStringList notes_;
+    bool shows_focus_ = true;
 };
 
 }  // namespace raytree::inspector

@@ -35,6 +35,8 @@ class ScenePane : public QWidget {
     int frames() const { return frames_; }
     /// Whether the shapes that are drawn are those of the scene shown.
     bool has_shapes() const { return !meshing_; }
+    /// Whether the last frame drew no more than rays over shapes that had stood still.
+    bool keeps() const { return scene3d_.keeps(); }
     /// Asks for a frame with everything as it is now.
     void draw_again() { redraw(); }
     /// What the pane shows, drawn at another size.

@@ -38,13 +38,12 @@ StepsPane::StepsPane(State& state, QWidget* parent)
     event_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     calls_title_ = words();
     calls_ = new QTreeWidget;
-    calls_->setHeaderLabels(
-        {QStringLiteral("Open call"), QStringLiteral("waits for"), QStringLiteral("sum so far")});
+    calls_->setHeaderLabels({QStringLiteral("Open call"), QStringLiteral("sum so far")});
     calls_->setRootIsDecorated(false);
     calls_->setUniformRowHeights(true);
     calls_->header()->setStretchLastSection(false);
     calls_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    calls_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    calls_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     calls_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* const layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
@@ -182,10 +181,12 @@ void StepsPane::show_calls(const Playback& playback) {
             ? QStringLiteral("Call stack, the innermost call below: %1 open").arg(texts.size())
             : QStringLiteral("Rays whose intensity is not known yet: %1").arg(texts.size()));
     for (const CallText& text : texts) {
-        auto* const item =
-            new QTreeWidgetItem(calls_, {qt(text.title), qt(text.waits_for), qt(text.sum)});
+        const QString call =
+            QStringLiteral("%1\n waits for %2").arg(qt(text.title), qt(text.waits_for));
+        auto* const item = new QTreeWidgetItem(calls_, {call, qt(text.sum)});
+        item->setTextAlignment(1, Qt::AlignLeft | Qt::AlignTop);
         item->setData(0, Qt::UserRole, QVariant::fromValue<qulonglong>(text.ray));
-        for (int column = 0; column < 3; ++column) {
+        for (int column = 0; column < 2; ++column) {
             item->setToolTip(column, item->text(column));
         }
         if (text.ray == playback.event().ray) {

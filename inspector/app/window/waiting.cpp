@@ -51,4 +51,21 @@ bool Waiting::show_until(const std::function<bool(std::chrono::milliseconds)>& i
     return true;
 }
 
+void Waiting::finish(QWidget* parent, const QString& title, const std::function<void()>& work) {
+    using namespace std::chrono_literals;
+    auto done = std::async(std::launch::async, work);
+    if (done.wait_for(60ms) != std::future_status::ready) {
+        QProgressDialog dialog(title, {}, 0, 0, parent);
+        dialog.setCancelButton(nullptr);
+        dialog.setWindowModality(Qt::ApplicationModal);
+        dialog.setMinimumDuration(0);
+        dialog.setMinimumWidth(dialog.fontMetrics().averageCharWidth() * 50);
+        while (done.wait_for(15ms) != std::future_status::ready) {
+            dialog.show();  // again, where Escape has closed it
+            QApplication::processEvents();
+        }
+    }
+    done.get();
+}
+
 }  // namespace raytree::inspector

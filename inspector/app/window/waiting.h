@@ -42,6 +42,9 @@ class Waiting {
         return answer.get();
     }
 
+    /// The same of what cannot be cancelled, and returns when it is done. Throws what it throws.
+    static void finish(QWidget* parent, const QString& title, const std::function<void()>& work);
+
   private:
     /// Whether it came and was not cancelled.
     static bool show_until(const std::function<bool(std::chrono::milliseconds)>& is_there,

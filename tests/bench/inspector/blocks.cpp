@@ -71,12 +71,7 @@ void go_through(const std::string& file, State& state, MainWindow& window) {
 }
 
 void run(std::vector<std::string> files, int argc, char** argv) {
-    prepare_qt();
-    QApplication application(argc, argv);
-    State state;
-    MainWindow window(state);
-    window.resize(1280, 800);
-    window.show();
+    ShownWindow shown(argc, argv);
     process_for(500);
     const raytree::bench::TemporaryFolder folder;
     if (files.empty()) {
@@ -86,7 +81,7 @@ void run(std::vector<std::string> files, int argc, char** argv) {
     }
     std::printf("longest time without an answer, by the clock (of the window's thread)\n");
     for (const std::string& file : files) {
-        go_through(file, state, window);
+        go_through(file, shown.state, shown.window);
     }
 }
 

@@ -72,20 +72,16 @@ Opened with_depth(const Opened& opened) {
 }
 
 void run(const char* file, int width, int height, int argc, char** argv, const Stopwatch& start) {
-    prepare_qt();
-    QApplication application(argc, argv);
-    State state;
-    MainWindow window(state);
-    window.resize(width, height);
-    window.show();
-    ScenePane& pane = window.scene_pane();
+    ShownWindow shown(argc, argv, width, height);
+    State& state = shown.state;
+    ScenePane& pane = shown.window.scene_pane();
     const Opened opened = with_depth(open_file(file));
     time_of(state, pane, [&] { state.show(opened); });
     std::printf("%s, %zu objects, depth %d, window %dx%d\n", file,
                 opened.document->scene().objects.size(), depth, width, height);
     print_heading("milliseconds (of the processor)");
     print("start to first window", {start.read()});
-    wait_for_picture(state, window);
+    wait_for_picture(state, shown.window);
     measure_clicks(state, pane);
     measure_changes(state, pane, opened);
 }

@@ -19,6 +19,22 @@
 /// processor: on a machine with other work to do, only the latter say something about the program.
 namespace raytree::inspector::bench {
 
+/// An application of one window, of the size that the tables are about unless it is told another.
+class ShownWindow {
+    bool prepared_ = (prepare_qt(), true);
+    QApplication application_;
+
+  public:
+    ShownWindow(int& argc, char** argv, int width = 1280, int height = 800)
+        : application_(argc, argv) {
+        window.resize(width, height);
+        window.show();
+    }
+
+    State state;
+    MainWindow window{state};
+};
+
 struct Time {
     double clock = 0, process = 0;  ///< milliseconds; of the process on all of its threads
 };

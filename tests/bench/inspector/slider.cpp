@@ -72,19 +72,15 @@ std::vector<Time> measure(const std::string& name, State& state, MainWindow& win
 }
 
 void run(std::vector<std::string> lessons, bool quick, int argc, char** argv) {
-    prepare_qt();
-    QApplication application(argc, argv);
-    State state;
-    MainWindow window(state);
-    window.resize(1280, 800);
-    window.show();
+    ShownWindow shown(argc, argv);
     if (lessons.empty()) {
         lessons = lesson::lesson_names(lesson::own_lessons());
     }
     print_heading("change to drawn change, ms");
     std::vector<Time> all;
     for (const std::string& name : lessons) {
-        const std::vector<Time> times = measure(name, state, window, quick ? 2 : 8, quick);
+        const std::vector<Time> times =
+            measure(name, shown.state, shown.window, quick ? 2 : 8, quick);
         print(name, times);
         all.insert(all.end(), times.begin(), times.end());
     }
