@@ -176,6 +176,42 @@ def check_diagram(folder):
         check(f"diagram {theme}", ink == 0, f"{ink} pixels of boxes at the lower edge")
 
 
+VIEWS = [  # commands, and what is to be seen then and what is not
+    (["view.side"], ["primary", "reflected", "refracted", "lit", "selection"], []),
+    (["view.camera"], ["reflected", "refracted", "lit"], []),
+    (["view.fit_tree", "shapes.solid"], ["primary", "reflected", "refracted", "lit"], []),
+    (["view.hit", "shapes.wire"], ["primary", "reflected", "refracted"], []),
+    (["ray.child", "view.side"], ["primary", "lit", "selection"], []),
+    (["ray.primary", "shapes.see_through", "show.reflected"],
+     ["primary", "refracted", "lit", "selection"], ["reflected"]),
+    (["show.reflected", "show.refracted"], ["primary", "reflected", "lit"], ["refracted"]),
+    (["show.refracted", "show.shadow"], ["primary", "reflected", "refracted"], ["lit"]),
+]
+
+
+def check_views(folder):
+    """Each view and each way to draw shapes shows the rays in their colours, in both themes; of rays
+    that are hidden little is left: lights and surfaces of like colours."""
+    width, height = 900, 560
+    above_legend = slice(0, height - 90)
+    for theme, colours in RAYS.items():
+        lines = ["show.names"]  # words would cover rays
+        for k, (commands, _, _) in enumerate(VIEWS):
+            lines += [*commands, f"export.view {folder}/view{k}.png {width}x{height}"]
+        done = run(OPTIONS.data / "scenes" / "glass-ball.json", "--theme", theme, "--pixel",
+                   "210,286", "--script", script(folder, *lines, "file.quit"))
+        check(f"views {theme}", done.returncode == 0, done.stderr)
+        first = {}
+        for k, (commands, seen, hidden) in enumerate(VIEWS):
+            rows = read_png(folder / f"view{k}.png")[2]
+            count = {ray: count_near(rows, colours[ray], slice(0, width), above_legend)
+                     for ray in seen + hidden}
+            first = first or count
+            name = f"views {theme} {' '.join(commands)}"
+            check(name, all(count[ray] > 60 for ray in seen), count)
+            check(name, all(count[ray] < first[ray] / 4 for ray in hidden), (first, count))
+
+
 def check_selection_after_tab(folder):
     """The 3D view shows the selected ray whatever tab the tree is in."""
     scene = OPTIONS.data / "scenes" / "glass-ball.json"
@@ -202,6 +238,7 @@ def main():
         check_script(folder)
         check_selection_after_tab(folder)
         check_diagram(folder)
+        check_views(folder)
     print(f"{len(failures)} failures")
     return 1 if failures else 0
 
