@@ -480,15 +480,18 @@ def _(s):
     s.shadow = shadow
 
 
-@mistake("shd.half_dark")
-def _(s):
+def partly_dark(s, share):
+    """A shadow lets so much of the light through."""
     book = s.shadow
 
     def shadow(*a):
         blocker, light = book(*a)
-        return blocker, (0.5, 0.5, 0.5) if max(light) == 0 else light
+        return blocker, (share, share, share) if max(light) == 0 else light
 
     s.shadow = shadow
+
+
+mistake("shd.half_dark")(lambda s: partly_dark(s, 0.5))
 
 
 @mistake("shd.spec_not_shadowed")
