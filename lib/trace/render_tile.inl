@@ -7,7 +7,8 @@ namespace {
 /// take one's code for the other's.
 template <class T> struct Silent : NoRecorder<T> {};
 
-/// Traces 4 x 4 pixels at a time, the blocks of a tile one after the other. Their primary rays are followed together, and so are those from
+/// Traces 4 x 4 pixels at a time, the blocks of a tile one after the other. Their primary rays are
+/// followed together, and so are those from
 /// what they hit to each light; then their trees are grown one by one.
 template <class T, Facts facts> class BlockTracer {
   public:
@@ -43,8 +44,10 @@ template <class T, Facts facts> class BlockTracer {
         };
         const int i = middle(tile.begin_i, tile.end_i), j = middle(tile.begin_j, tile.end_j);
         for (const PictureTile& part :
-             {PictureTile{tile.begin_i, i, tile.begin_j, j}, PictureTile{i, tile.end_i, tile.begin_j, j},
-              PictureTile{tile.begin_i, i, j, tile.end_j}, PictureTile{i, tile.end_i, j, tile.end_j}}) {
+             {PictureTile{tile.begin_i, i, tile.begin_j, j},
+              PictureTile{i, tile.end_i, tile.begin_j, j},
+              PictureTile{tile.begin_i, i, j, tile.end_j},
+              PictureTile{i, tile.end_i, j, tile.end_j}}) {
             if (part.begin_i < part.end_i && part.begin_j < part.end_j) {
                 trace(part);
             }
