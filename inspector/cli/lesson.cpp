@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "lesson/lesson_folder.h"
 #include "lesson/lesson_text.h"
 #include "scene_arguments.h"
+#include "tree/explain.h"
 #include "values.h"
 
 namespace raytree::cli {
@@ -77,6 +79,10 @@ int show(const Arguments& arguments) {
     return done;
 }
 
+std::string minutes_text(double minutes) {
+    return number_text(std::round(10 * minutes) / 10) + " minutes";
+}
+
 int check(const Arguments& arguments) {
     const fs::path folder = folder_of(arguments);
     std::vector<std::string> names;
@@ -99,7 +105,7 @@ int check(const Arguments& arguments) {
                               std::to_string(checked.claims) + " claims, " +
                               std::to_string(checked.references) + " references: " +
                               (checked.failures.empty()
-                                   ? "all hold"
+                                   ? "all hold, takes " + minutes_text(checked.minutes)
                                    : std::to_string(checked.failures.size()) + " do not hold") +
                               "\n");
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lesson/features.h"
+#include "lesson/reading_time.h"
 
 namespace raytree::lesson {
 namespace {
@@ -15,6 +16,9 @@ class LessonChecker {
         for (std::size_t k = 0; k < play_.lesson().steps.size(); ++k) {
             ++result_.steps;
             check_step(k);
+        }
+        if (result_.failures.empty()) {
+            result_.minutes = reading_minutes(play_);
         }
         return std::move(result_);
     }

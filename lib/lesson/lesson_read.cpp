@@ -66,7 +66,7 @@ class LessonReader {
         const ObjectReader reader(value, place, report_);
         Step step;
         step.place = place.pointer();
-        reader.text("title", step.title, Need::required);
+        step.title = step_title(reader);
         step.text = text(reader, "text", Need::required);
         if (!lesson.steps.empty()) {
             step.show = carried_over(lesson.steps.back().show);
@@ -84,6 +84,22 @@ class LessonReader {
         });
         reader.nothing_but({"title", "text", "show", "ask", "claims"});
         return step;
+    }
+
+    /// It is shown as it stands, so that no number in it could be looked up.
+    std::string step_title(const ObjectReader& reader) {
+        std::string title;
+        reader.text("title", title, Need::required);
+        const JsonPlace place = reader.place_of("title");
+        for (const Block& block : read_text(title, place, report_).blocks) {
+            const auto is_plain = [](const Piece& piece) {
+                return piece.emphasis == Emphasis::plain && !piece.reference;
+            };
+            if (!std::ranges::all_of(block.pieces, is_plain)) {
+                report_.add(place, "found '" + title + "', must be without marks and references");
+            }
+        }
+        return title;
     }
 
     /// One string, or a list of them, one for each paragraph.

@@ -4,6 +4,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -15,6 +16,7 @@
 #include "lesson/features.h"
 #include "lesson/lesson_folder.h"
 #include "lesson/lesson_text.h"
+#include "lesson/reading_time.h"
 
 using namespace raytree;
 using namespace raytree::lesson;
@@ -104,6 +106,13 @@ TEST_CASE("lesson: numbers typed by hand are refused, those of formulas and name
     CHECK(has(refusal(lesson_with("", R"("An *open mark.")")), "no end"));
     CHECK(has(refusal(lesson_with("", R"("A {primary.hit.t reference.")")), "lacks its }"));
     CHECK(has(refusal(lesson_with("", R"("{primary.hit.t; x}")")), "decimals"));
+    const std::string untitled = lesson_with("");
+    const auto titled = [&](const std::string& title) {
+        return std::string(untitled).replace(untitled.find("\"S\""), 3, "\"" + title + "\"");
+    };
+    CHECK(has(refusal(titled("It takes 7 rays")), "/steps/0/title: the number 7 "));
+    CHECK(has(refusal(titled("{counts.all} rays")), "without marks and references"));
+    CHECK(refusal(titled("Seven rays")).empty());
     CHECK(refusal(lesson_with("", R"("`B² − 4 A C`, `i + 0.5`, `θ1` and 3D, `η1 = 1`.")")).empty());
 }
 
@@ -222,9 +231,24 @@ TEST_CASE("the lessons hold, each with its questions, claims and steps") {
         CHECK(checked.steps <= 12);
         CHECK(checked.questions >= 2);
         CHECK(checked.claims >= 4);
-        CHECK(play.lesson().minutes >= 5);
-        CHECK(play.lesson().minutes <= 10);
+        // By a slow reader's time, with room for a look at the picture.
+        CHECK(checked.minutes >= 5);
+        CHECK(checked.minutes <= 9.8);
+        CHECK(play.lesson().minutes == std::lround(checked.minutes));
     }
+}
+
+TEST_CASE("lesson: the time that it takes is that of all words and questions") {
+    // The title and two words; a number is a word.
+    CHECK(reading_minutes(OneLesson(lesson_with("")).play()) == doctest::Approx(3.0 / 130));
+    // And four of the question, two and one of the options, three of the longer hint, five after.
+    const OneLesson one(lesson_with(R"("ask": {"kind": "choice", "question": "How far is it?",
+        "truth": "primary.hit.t", "after": "After {primary.hit.t} units, not before.",
+        "options": [{"text": "{primary.hit.t} units", "value": 4},
+                    {"text": "Farther", "value": 5, "hint": "That is behind."}],
+        "hints": [{"when": "answer == 5", "text": "No."}]})"));
+    CHECK(reading_minutes(one.play()) == doctest::Approx(0.5 + (3 + 4 + 2 + 1 + 3 + 5) / 130.0));
+    CHECK(check_lesson(one.play()).minutes == doctest::Approx(reading_minutes(one.play())));
 }
 
 TEST_CASE("a tracer with a mistake does not pass the lessons") {
