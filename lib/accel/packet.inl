@@ -1,5 +1,22 @@
 // Rays that go much the same way, side by side. Part of kernels.inl.
 
+/// Whether the next packet of a list goes as one. After one for which that did not pay some go side
+/// by side at once, and more each time: the packets of a list are mostly alike.
+class Patience {
+  public:
+    bool tries() { return left_ == 0 || --left_ == 0; }
+    void paid() { pause_ = 0; }
+    void did_not_pay() {
+        pause_ = std::min(2 * pause_ + 1, longest);
+        left_ = pause_ + 1;
+    }
+
+  private:
+    static constexpr int longest = 63;
+    int pause_ = 0;  ///< so many went side by side after the last that did not pay
+    int left_ = 0;   ///< until one goes as one again
+};
+
 /// Sixteen rays together: as one, and where they go too far apart for that, side by side. Then a
 /// node's children are first tested with bounds on all of them at
 /// once, then each that may be met with every ray.
@@ -17,7 +34,11 @@ template <bool any_will_do> class Packet {
             begin(together[k], rays_[k]);
         }
         active_ = (1U << count) - 1;
-        if (!travel_as_one(together)) {
+        has_lines_ = false;
+        waiting_.top = 0;
+        waiting_.push(0, Ref::to_node(0));
+        const bool finished = patience_.tries() && travel_as_one(together);
+        if (!finished) {
             travel_side_by_side(count);
         }
         for (std::size_t k = 0; k < count; ++k) {
@@ -30,16 +51,17 @@ template <bool any_will_do> class Packet {
     static constexpr int fewest = 3;
     /// As much do all rays together look for before they go side by side, in units of half a node.
     static constexpr int most_work = 64;
+    /// Up to so much is less than they would look for one by one.
+    static constexpr int work_that_pays = 32;
 
     /// Follows the space around all rays, so that none needs to be prepared for boxes. False where
     /// that comes upon so much that it no longer pays; what is left then waits.
     bool travel_as_one(Kernels::Queries queries) {
         Shaft shaft(searched_.bvh, queries);
-        has_lines_ = false;
-        waiting_.top = 0;
-        waiting_.push(0, Ref::to_node(0));
-        for (int work = 0; waiting_.top > 0 && active_ != 0;) {
+        int work = 0;
+        while (waiting_.top > 0 && active_ != 0) {
             if (work > most_work) {
+                patience_.did_not_pay();
                 return false;
             }
             const std::size_t place = --waiting_.top;
@@ -58,6 +80,11 @@ template <bool any_will_do> class Packet {
             } else {
                 work += 3 + meet_few(next, queries, shaft);
             }
+        }
+        if (work <= work_that_pays) {
+            patience_.paid();
+        } else {
+            patience_.did_not_pay();
         }
         return true;
     }
@@ -318,6 +345,7 @@ template <bool any_will_do> class Packet {
     }
 
     const Searched& searched_;
+    Patience patience_;
     Lines lines_;
     bool has_lines_ = false;
     std::array<Traveller, most> rays_;

@@ -5,6 +5,7 @@ namespace raytree::stress {
 namespace {
 
 constexpr int rays_each = 100;
+constexpr std::size_t rays_of_a_beam = 16;  ///< that go much the same way
 
 Polygon quad(const Point& at, const Point& u, const Point& v) {
     return {{at, at + u, at + u + v, at + v}, {}};
@@ -152,11 +153,58 @@ template <class T> class Comparison {
         if (random.chance(0.1)) {
             interval.from = static_cast<T>(scale * random.uniform(0, 1));
         }
-        compare(ray, leaving, interval, tally);
+        const Query<T> query{ray, leaving, interval};
+        compare(query, tally);
+        if (random.chance(1.0 / rays_of_a_beam)) {
+            shoot_beam(random, query, scale, tally);
+        }
     }
 
+    /// Asks again what was asked one by one, many at a time.
+    void compare_together(Tally& tally) { ask_together(0, Together::any_order, tally); }
+
   private:
-    void compare(const Ray<T>& ray, PrimitiveId leaving, Interval<T> interval, Tally& tally) {
+    /// The ray with others beside it, which must meet together what each meets alone.
+    void shoot_beam(Random& random, const Query<T>& middle, double scale, Tally& tally) {
+        const std::size_t first = queries_.size();
+        const double width = random.log_uniform(1e-9, 1);
+        for (std::size_t k = 0; k < rays_of_a_beam; ++k) {
+            Query<T> query = middle;
+            const Vec3<T> aside = vector_cast<T>(width * random.in_cube());
+            query.ray.direction = UnitVec3<T>::of(Vec3<T>(middle.ray.direction + aside));
+            if (middle.leaving == no_primitive && random.chance(0.5)) {
+                query.ray.origin += vector_cast<T>(0.1 * width * scale * random.in_cube());
+            }
+            compare(query, tally);
+        }
+        ask_together(first, Together::coherent, tally);
+    }
+
+    void ask_together(std::size_t first, Together how, Tally& tally) {
+        const auto queries = std::span(std::as_const(queries_)).subspan(first);
+        std::vector<Hit<T>> hits(queries.size());
+        std::vector<std::uint8_t> met(queries.size());
+        own_.closest(queries, hits, how);
+        own_.any(queries, met, how);
+        for (std::size_t k = 0; k < queries.size(); ++k) {
+            const std::optional<Hit<T>>& truth = nearest_[first + k];
+            const bool hit = hits[k].primitive != no_primitive;
+            if (hit != truth.has_value() || (hit && !same(hits[k], *truth)) ||
+                (met[k] != 0) != hit) {
+                ++tally.in<T>().wrong;
+                tally.describe<T>([&](std::ostream& out) {
+                    out << own_.shapes().size() << " shapes, "
+                        << (how == Together::coherent ? "a beam" : "many rays") << ", that from "
+                        << vector_cast<double>(queries[k].ray.origin) << " along "
+                        << vector_cast<double>(queries[k].ray.direction) << " leaving "
+                        << queries[k].leaving << " meets something else together than alone";
+                });
+            }
+        }
+    }
+
+    void compare(const Query<T>& query, Tally& tally) {
+        const auto& [ray, leaving, interval] = query;
         NoTestCount none;
         const auto truth = by_force(own_.shapes(), ray, leaving, interval);
         const auto all = own_.all(ray, leaving, interval, none);
@@ -165,6 +213,8 @@ template <class T> class Comparison {
         const bool agree = std::ranges::equal(all, truth, same<T>) && any == !truth.empty() &&
                            closest.has_value() == !truth.empty() &&
                            (truth.empty() || same(*closest, truth[0]));
+        queries_.push_back(query);
+        nearest_.push_back(truth.empty() ? std::nullopt : std::optional(truth[0]));
         if (std::is_same_v<T, double>) {
             tally.trials += own_.shapes().size();
         }
@@ -180,6 +230,8 @@ template <class T> class Comparison {
     }
 
     Intersector<T> own_;
+    std::vector<Query<T>> queries_;
+    std::vector<std::optional<Hit<T>>> nearest_;  ///< by force
 };
 
 Tally run(Random& random, std::uint64_t trials) {
@@ -196,6 +248,10 @@ Tally run(Random& random, std::uint64_t trials) {
                 in_float->shoot(random, scale, center, tally);
             }
         }
+        in_double.compare_together(tally);
+        if (in_float) {
+            in_float->compare_together(tally);
+        }
     }
     return tally;
 }
@@ -206,8 +262,9 @@ Row hierarchy() {
     return {
         "hierarchy",
         "the hierarchy against every shape one by one: scattered, coincident (up to 10^5 in one "
-        "place), flat, nested shapes and such of all sizes; closest, any and all hits (a tenth of "
-        "it in `float`)",
+        "place), flat, nested shapes and such of all sizes; closest, any and all hits, one ray at "
+        "a time, in "
+        "beams of sixteen and many together (a tenth of it in `float`)",
         "tests",
         "the same hits, to the last bit",
         "",
