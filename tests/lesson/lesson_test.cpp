@@ -84,6 +84,39 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+/// Answers that can be given without typing: all choices and rays, pixels all over the picture,
+/// values all along the slider.
+std::vector<Json> some_answers(const Play& play, std::size_t step) {
+    std::vector<Json> answers;
+    const Step& here = play.step(step);
+    if (!here.ask || here.ask->kind == AskKind::number) {
+        return answers;
+    }
+    const Ask& ask = *here.ask;
+    if (ask.kind == AskKind::pixel) {
+        const auto& camera = play.world(step)->scene().camera;
+        for (int j = 0; j < camera.height; j += 5) {
+            for (int i = 0; i < camera.width; i += 7) {
+                answers.push_back(Json::array({i, j}));
+            }
+        }
+    } else if (ask.kind == AskKind::value) {
+        for (int part = 0; part <= 20; ++part) {
+            const double value = ask.from + (ask.to - ask.from) * part / 20;
+            answers.emplace_back(ask.whole ? std::round(value) : value);
+        }
+    } else {
+        const Pixel pixel = here.show.pixel;
+        const std::size_t count = ask.kind == AskKind::choice
+                                      ? ask.options.size()
+                                      : play.world(step)->tree_at(pixel.i, pixel.j)->rays.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            answers.emplace_back(k);
+        }
+    }
+    return answers;
+}
+
 }  // namespace
 
 TEST_CASE("lesson: its mistakes are told with their places, several together") {
@@ -249,6 +282,20 @@ TEST_CASE("lesson: the time that it takes is that of all words and questions") {
         "hints": [{"when": "answer == 5", "text": "No."}]})"));
     CHECK(reading_minutes(one.play()) == doctest::Approx(0.5 + (3 + 4 + 2 + 1 + 3 + 5) / 130.0));
     CHECK(check_lesson(one.play()).minutes == doctest::Approx(reading_minutes(one.play())));
+}
+
+TEST_CASE("a wrong choice, pixel, ray or value is told in every lesson what is wrong with it") {
+    for (const std::string& name : lesson_names(lessons)) {
+        const Play play(load_lesson(lessons, name));
+        for (std::size_t k = 0; k < play.lesson().steps.size(); ++k) {
+            for (const Json& answer : some_answers(play, k)) {
+                CAPTURE(name);
+                CAPTURE(k + 1);
+                CAPTURE(answer.dump());
+                CHECK((play.is_right(k, answer) || play.hint_for(k, answer) != nullptr));
+            }
+        }
+    }
 }
 
 TEST_CASE("a tracer with a mistake does not pass the lessons") {
