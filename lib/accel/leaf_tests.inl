@@ -57,8 +57,8 @@ inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Travelle
     const F8 size_e = size(e), size_f = size(f);
     const F8 area = size_e * size_f;
     const F8 h = F8::all(filter.edge_error());
-    const F8 q = multiply_add(area, F8::all(12 * roundoff),
-                              F8::all(3) * (h * (size_e + size_f + h)));
+    const F8 q =
+        multiply_add(area, F8::all(12 * roundoff), F8::all(3) * (h * (size_e + size_f + h)));
     const F8 error = multiply_add(q, size(a), area * F8::all(2 * ray.origin_error));
     const F8 ahead = with_sign_of(speed, distance);
     return less_equal(abs(speed), q) |
@@ -121,8 +121,8 @@ inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller
         square = multiply_add(across, across, square);
     }
     const F8 radius = F8::load(rows + 6 * n) * F8::all(1 + 0x1p-20F);
-    return near & less_equal(abs(distance), multiply_add(radius, square_root(square),
-                                                         F8::all(4 * ray.error)));
+    return near & less_equal(abs(distance),
+                             multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
 }
 
 /// Which shapes of a leaf are to be met in double, a bit for each.
@@ -183,8 +183,7 @@ inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
                           const Traveller& ray) {
     const auto id = [&] { return searched.bvh.items()[leaf.first() + lane]; };
     const PrimitiveId leaving = ray.query->leaving;
-    const Start start =
-        leaving == no_primitive ? Start::anywhere : start_on(id(), leaving);
+    const Start start = leaving == no_primitive ? Start::anywhere : start_on(id(), leaving);
     switch (leaf.kind()) {
         case LeafFilter::triangle:
             return meet_triangle(searched, leaf, lane, ray, start);

@@ -329,8 +329,7 @@ template <bool any_will_do> class Packet {
             if (!rays_[k].ready_for_leaves) {
                 make_ready_for_leaves(searched_, rays_[k]);
             }
-            const bool met =
-                travel<any_will_do, false>(searched_, rays_[k], alone_, next, nullptr);
+            const bool met = travel<any_will_do, false>(searched_, rays_[k], alone_, next, nullptr);
             finish(k, any_will_do && met);
         }
         find_farthest();

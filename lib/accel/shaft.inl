@@ -63,7 +63,8 @@ class Shaft {
         std::uint32_t near_row, far_row;
         float near_origin, far_origin;
         float low_inverse, high_inverse;
-        bool both_ways;  ///< no inverses: the rays stay between the origins, near being the high one
+        bool
+            both_ways;  ///< no inverses: the rays stay between the origins, near being the high one
     };
 
     static float to_float(double x) {
@@ -217,8 +218,8 @@ class Lines {
                 direction_[axis][k] = static_cast<float>(query.ray.direction[a]);
             }
             set_limit(k, query.interval.to * bvh.scale());
-            away = std::max(away, std::abs(origin_[0][k]) + std::abs(origin_[1][k]) +
-                                      std::abs(origin_[2][k]));
+            away = std::max(
+                away, std::abs(origin_[0][k]) + std::abs(origin_[1][k]) + std::abs(origin_[2][k]));
         }
         // From very far away floats tell nothing, and every shape passes.
         error_ = away < 1e6F ? 40 * 0x1p-24F * (away + 4) + 8 * CopySpace(searched).error : 1e30F;
@@ -247,8 +248,7 @@ class Lines {
             F8 from[3];
             F8 along = F8::all(0), square = F8::all(0);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                from[axis] =
-                    F8::all(shapes.center[axis][lane]) - F8::load(&origin_[axis][half]);
+                from[axis] = F8::all(shapes.center[axis][lane]) - F8::load(&origin_[axis][half]);
                 along = multiply_add(from[axis], direction(axis), along);
             }
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -299,13 +299,12 @@ class Lines {
                 const F8 across = multiply_subtract(
                     F8::load(&direction_[i][half]), F8::all(shapes.numbers[3 + j][lane]),
                     F8::load(&direction_[j][half]) * F8::all(shapes.numbers[3 + i][lane]));
-                const F8 from =
-                    F8::all(shapes.numbers[k][lane]) - F8::load(&origin_[k][half]);
+                const F8 from = F8::all(shapes.numbers[k][lane]) - F8::load(&origin_[k][half]);
                 distance = multiply_add(from, across, distance);
                 square = multiply_add(across, across, square);
             }
-            met |= less_equal(abs(distance), multiply_add(radius, square_root(square),
-                                                          F8::all(2 * error_)))
+            met |= less_equal(abs(distance),
+                              multiply_add(radius, square_root(square), F8::all(2 * error_)))
                    << half;
         }
         return met;

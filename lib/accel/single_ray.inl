@@ -44,9 +44,9 @@ template <bool any_will_do> struct Waiting {
 /// The node or leaf to go on with among the children of a node, the others left waiting; false
 /// where there is none. What most often happens, one child or two, has branches of its own, which
 /// the processor guesses and so goes on before it knows.
-template <bool any_will_do>
-inline bool choose_child(const WideBvh::Node& node, const Traveller& ray,
-                         Waiting<any_will_do>& waiting, Ref& next) {
+template <bool any_will_do> inline bool choose_child(const WideBvh::Node& node,
+                                                     const Traveller& ray,
+                                                     Waiting<any_will_do>& waiting, Ref& next) {
     F8 entered;
     unsigned met = enter_children(node, ray, entered);
     if (met == 0) {

@@ -72,8 +72,7 @@ inline void make_ready_for_leaves(const Searched& searched, Traveller& ray) {
     // shear, 3 u R for the shear's own rounding, 3 u R for the product and the sum; and twice what
     // double has lost of a far origin, before and after the shear.
     constexpr float roundoff = 0x1p-24F;
-    const float away =
-        std::abs(ray.origin[0]) + std::abs(ray.origin[1]) + std::abs(ray.origin[2]);
+    const float away = std::abs(ray.origin[0]) + std::abs(ray.origin[1]) + std::abs(ray.origin[2]);
     const auto lost = static_cast<float>(ray.box.error);
     ray.error = 12 * roundoff * (static_cast<float>(searched.filter.reach()) + away) + 2 * lost;
     ray.origin_error = roundoff * away + searched.filter.edge_error() + 2 * lost;

@@ -43,11 +43,10 @@ template <class T, Facts facts> class BlockTracer {
             return std::min(end, begin + std::max(side, (end - begin + 1) / 2 / side * side));
         };
         const int i = middle(tile.begin_i, tile.end_i), j = middle(tile.begin_j, tile.end_j);
-        for (const PictureTile& part :
-             {PictureTile{tile.begin_i, i, tile.begin_j, j},
-              PictureTile{i, tile.end_i, tile.begin_j, j},
-              PictureTile{tile.begin_i, i, j, tile.end_j},
-              PictureTile{i, tile.end_i, j, tile.end_j}}) {
+        for (const PictureTile& part : {PictureTile{tile.begin_i, i, tile.begin_j, j},
+                                        PictureTile{i, tile.end_i, tile.begin_j, j},
+                                        PictureTile{tile.begin_i, i, j, tile.end_j},
+                                        PictureTile{i, tile.end_i, j, tile.end_j}}) {
             if (part.begin_i < part.end_i && part.begin_j < part.end_j) {
                 trace(part);
             }
@@ -58,9 +57,9 @@ template <class T, Facts facts> class BlockTracer {
     static constexpr std::size_t most = side * side;
 
     Rgb<double>& pixel(int i, int j) {
-        return picture_.pixels[static_cast<std::size_t>(j) *
-                                   static_cast<std::size_t>(picture_.width) +
-                               static_cast<std::size_t>(i)];
+        return picture_
+            .pixels[static_cast<std::size_t>(j) * static_cast<std::size_t>(picture_.width) +
+                    static_cast<std::size_t>(i)];
     }
 
     /// Whether all primary rays of a tile pass beside everything: by those at its corners, in

@@ -1,5 +1,7 @@
 #include "tree/crossing_walk.h"
 
+#include <limits>
+
 namespace raytree {
 namespace {
 
@@ -13,15 +15,29 @@ PrimitiveId flat_named(const World<double>& world, std::string_view name) {
     return id != no_primitive && is_flat(world, id) ? id : no_primitive;
 }
 
+/// The ray in the object's own space.
+Ray<double> own_ray(const TreeRay<double>& ray, const Object& object) {
+    const Ray<double> in_world{ray.origin, ray.direction, 0};
+    return object.transform ? AffineMap<double>(*object.transform).ray_to_own_space(in_world)
+                            : in_world;
+}
+
+/// Where the ray meets the polygon's plane, infinite where it does not.
+double plane_distance(const TreeRay<double>& ray, const Object& object) {
+    const Ray<double> own = own_ray(ray, object);
+    const Plane<double> plane =
+        supporting_plane(std::span<const Vec3<double>>(corners_of(object.shape, -1)));
+    const double t =
+        inner(plane.normal, plane.point - own.origin) / inner(plane.normal, own.direction);
+    return t > 0 ? t : std::numeric_limits<double>::infinity();
+}
+
 /// Nothing where the plane is not met.
 std::optional<CrossingWalk> walk_of(const World<double>& world, const TreeRay<double>& ray,
                                     PrimitiveId id) {
     const Primitive primitive = world.shapes.shapes()[id];
     const Object& object = world.scene().objects[primitive.object];
-    Ray<double> own{ray.origin, ray.direction, 0};
-    if (object.transform) {
-        own = AffineMap<double>(*object.transform).ray_to_own_space(own);
-    }
+    const Ray<double> own = own_ray(ray, object);
     const std::vector<Vec3<double>> corners = corners_of(object.shape, primitive.part);
     CrossingWalk walk{primitive_name(world.scene(), primitive),
                       derive_polygon(corners, own),
@@ -63,18 +79,20 @@ std::optional<CrossingWalk> crossing_walk(const World<double>& world, const Tree
         const PrimitiveId id = flat_named(world, name);
         return id == no_primitive ? std::nullopt : walk_of(world, ray, id);
     }
-    std::optional<CrossingWalk> nearest;
+    PrimitiveId nearest = no_primitive;
+    double nearest_t = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < world.shapes.shapes().size(); ++k) {
         const auto id = static_cast<PrimitiveId>(k);
-        const Shape& shape = world.scene().objects[world.shapes.shapes()[id].object].shape;
-        if (std::holds_alternative<Polygon>(shape)) {
-            auto walk = walk_of(world, ray, id);
-            if (walk && (!nearest || walk->test.t < nearest->test.t)) {
-                nearest = std::move(walk);
+        const Object& object = world.scene().objects[world.shapes.shapes()[id].object];
+        if (std::holds_alternative<Polygon>(object.shape)) {
+            const double t = plane_distance(ray, object);
+            if (t < nearest_t) {
+                nearest_t = t;
+                nearest = id;
             }
         }
     }
-    return nearest;
+    return nearest == no_primitive ? std::nullopt : walk_of(world, ray, nearest);
 }
 
 bool has_polygon(const World<double>& world, std::string_view name) {
