@@ -200,6 +200,11 @@ class LessonPaneTest : public test::ShownWindow {
         slider->setValue(slider->maximum());
         QCOMPARE(field->value(), 3.0);
         QTRY_COMPARE(distance(), 2.0);
+        QCOMPARE(field->value(), 3.0);  // the scene followed, the slider stays
+        slider->setValue(slider->maximum() / 2);
+        QTRY_COMPARE(distance(), 3.25);
+        QCOMPARE(field->value(), 1.75);
+        QCOMPARE(slider->value(), slider->maximum() / 2);
         QVERIFY(!state_.lesson()->answer());  // to try is not to answer
         field->setValue(0.8);
         click(QStringLiteral("Answer"));

@@ -226,8 +226,9 @@ void State::ask_again() {
 void State::try_value(double value) {
     if (lesson_ && lesson_->here().ask && lesson_->here().ask->kind == AskKind::value) {
         if (value != value_tried()) {
-            exchange(lesson_->document_with(value));
-            tried_ = value;
+            const auto document = lesson_->document_with(value);
+            tried_ = value;  // before views are told of the scene: they ask for it
+            exchange(document);
         }
     }
 }

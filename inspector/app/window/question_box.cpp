@@ -165,8 +165,10 @@ void QuestionBox::add_value(QVBoxLayout* rows) {
         trying_.start();
     });
     auto* const button = new QPushButton(QStringLiteral("Answer"));
-    connect(button, &QPushButton::clicked, this,
-            [this] { answer(QString::number(field_->value(), 'g', 15).toStdString()); });
+    connect(button, &QPushButton::clicked, this, [this] {
+        trying_.stop();  // an answer is shown at once
+        answer(QString::number(field_->value(), 'g', 15).toStdString());
+    });
     rows->addWidget(slider_);
     auto* const row = new QHBoxLayout;
     row->addWidget(field_, 1);
