@@ -4,6 +4,7 @@
 
 #include "lesson/features.h"
 #include "lesson/reading_time.h"
+#include "lesson/sample_answers.h"
 
 namespace raytree::lesson {
 namespace {
@@ -106,6 +107,22 @@ class LessonChecker {
         }
         if (ask.kind == AskKind::number || ask.kind == AskKind::choice) {
             check_hints(ask, k);
+        }
+        check_answers(ask, k);
+    }
+
+    /// Whatever is answered can be judged, and what is said to it can be found.
+    void check_answers(const Ask& ask, std::size_t k) {
+        for (const Json& answer : sample_answers(play_, k)) {
+            try {
+                if (!play_.is_right(k, answer)) {
+                    play_.hint_for(k, answer);
+                }
+            } catch (const ExpressionError& error) {
+                fail(ask.place,
+                     "the answer " + answer.dump() + " cannot be judged: " + error.what());
+                return;
+            }
         }
     }
 

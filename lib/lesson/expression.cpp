@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formats/did_you_mean.h"
+#include "formats/json_reader.h"
 #include "lesson/expression_node.h"
 #include "tree/explain.h"
 
@@ -163,7 +164,8 @@ bool Expression::truth(const Scope& scope) const {
 Json Expression::data(const Scope& scope) const {
     const Value value = evaluate(scope);
     if (!value.json) {
-        throw ExpressionError("'" + text_ + "' has members of its own: say which");
+        throw ExpressionError("'" + text_ + "' has members of its own: say which" +
+                              all_of(" of ", value.scope->names()));
     }
     return *value.json;
 }
@@ -176,7 +178,10 @@ std::string Expression::found(const Scope& scope) const {
         return "";
     }
     const Value left = Evaluation(scope).of(root_->parts[0]);
-    return left.json ? "the left side is " + left.json->dump() : "the left side is there";
+    if (!left.json) {
+        return "the left side is there";
+    }
+    return "the left side is " + (left.json->is_object() ? shown(*left.json) : left.json->dump());
 }
 
 bool Expression::refers() const { return root_ && looks_up(*root_); }

@@ -33,6 +33,8 @@ struct Expression::Node {
 /// Throws ExpressionError.
 Expression::Node parse_expression(std::string_view text);
 
+/// `before` and the names, in the order of the alphabet; nothing where they are too many to read.
+std::string all_of(const char* before, std::vector<std::string> names);
 /// Throws ExpressionError: `found` is none of `names`.
 [[noreturn]] void no_such(std::string_view what, const std::string& found,
                           std::vector<std::string> names);

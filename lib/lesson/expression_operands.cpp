@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "formats/did_you_mean.h"
+#include "formats/json_reader.h"
 #include "lesson/expression_node.h"
 #include "tree/explain.h"
 
@@ -70,24 +71,27 @@ double combine(const std::string& symbol, double a, double b) {
 
 }  // namespace
 
-void no_such(std::string_view what, const std::string& found, std::vector<std::string> names) {
+std::string all_of(const char* before, std::vector<std::string> names) {
     std::sort(names.begin(), names.end());
+    std::string text;
+    for (std::size_t k = 0; k < names.size() && names.size() <= 40; ++k) {
+        text += (k == 0 ? before : ", ") + names[k];
+    }
+    return text;
+}
+
+void no_such(std::string_view what, const std::string& found, std::vector<std::string> names) {
     const std::vector<std::string_view> views(names.begin(), names.end());
     std::string text = "there is no " + std::string(what) + " '" + found + "'";
     const std::string meant = did_you_mean(found, views);
-    text += meant;
-    if (meant.empty() && names.size() <= 40) {
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            text += (k == 0 ? "; there are " : ", ") + names[k];
-        }
-    }
-    throw ExpressionError(text);
+    throw ExpressionError(text +
+                          (meant.empty() ? all_of("; there are ", std::move(names)) : meant));
 }
 
 const Json& data_of(const Value& value, const char* wanted) {
     if (!value.json) {
         throw ExpressionError(std::string("has members of its own, where ") + wanted +
-                              " is wanted: say which member");
+                              " is wanted: say which" + all_of(" of ", value.scope->names()));
     }
     return *value.json;
 }
@@ -95,7 +99,7 @@ const Json& data_of(const Value& value, const char* wanted) {
 double number_of(const Value& value) {
     const Json& json = data_of(value, "a number");
     if (!json.is_number()) {
-        throw ExpressionError("found " + value_text(json) + ", where a number is wanted");
+        throw ExpressionError("found " + shown(json) + ", where a number is wanted");
     }
     return json.get<double>();
 }
@@ -103,7 +107,7 @@ double number_of(const Value& value) {
 bool truth_of(const Value& value) {
     const Json& json = data_of(value, "true or false");
     if (!json.is_boolean()) {
-        throw ExpressionError("found " + value_text(json) + ", where true or false is wanted");
+        throw ExpressionError("found " + shown(json) + ", where true or false is wanted");
     }
     return json.get<bool>();
 }
@@ -119,7 +123,9 @@ Value member_of(const Value& whole, const std::string& name) {
         return *std::move(found);
     }
     if (whole.json->is_null()) {
-        throw ExpressionError("'." + name + "' is asked of what is not there (null)");
+        throw ExpressionError("'." + name +
+                              "' is asked of what is not there (null); where that can be, "
+                              "ask first whether it is: x != null and …");
     }
     no_such("member", name, member_names(*whole.json));
 }

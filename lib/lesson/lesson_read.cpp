@@ -160,6 +160,7 @@ class LessonReader {
         read_list(reader, "hints", report_, [&](const Json& hint, const JsonPlace& at) {
             if (ObjectReader::is_object(hint, at, report_)) {
                 ask.hints.push_back(read_hint(hint, at));
+                expect_an_answer(ask, at);
             }
         });
         reader.nothing_but(keys);
@@ -236,6 +237,9 @@ class LessonReader {
         double example = 0;
         if (reader.number("example", example, Need::required)) {
             ask.example = example;
+            if (!(example >= ask.from && example <= ask.to)) {
+                report_.add(reader.place_of("example"), "must be between from and to");
+            }
         }
     }
 
@@ -248,6 +252,15 @@ class LessonReader {
         option.hint = text(reader, "hint", Need::optional);
         reader.nothing_but({"text", "value", "hint"});
         return option;
+    }
+
+    /// A program with a mistake gives a number or makes a choice; it does not click.
+    void expect_an_answer(const Ask& ask, const JsonPlace& place) {
+        const bool answers = ask.kind == AskKind::number || ask.kind == AskKind::choice;
+        if (!answers && !ask.hints.back().mistake.empty()) {
+            report_.add(place.member("mistake"),
+                        "is for questions of the kinds number and choice; use when here");
+        }
     }
 
     Hint read_hint(const Json& value, const JsonPlace& place) {

@@ -16,7 +16,7 @@ const Ask& ask_of(const Step& step) {
 
 double number_in(const Json& answer) {
     if (!answer.is_number()) {
-        throw ExpressionError("found " + answer.dump() + ", where a number is wanted");
+        throw ExpressionError("found " + shown(answer) + ", where a number is wanted");
     }
     return answer.get<double>();
 }

@@ -17,6 +17,7 @@
 #include "lesson/lesson_folder.h"
 #include "lesson/lesson_text.h"
 #include "lesson/reading_time.h"
+#include "lesson/sample_answers.h"
 
 using namespace raytree;
 using namespace raytree::lesson;
@@ -84,39 +85,6 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Answers that can be given without typing: all choices and rays, pixels all over the picture,
-/// values all along the slider.
-std::vector<Json> some_answers(const Play& play, std::size_t step) {
-    std::vector<Json> answers;
-    const Step& here = play.step(step);
-    if (!here.ask || here.ask->kind == AskKind::number) {
-        return answers;
-    }
-    const Ask& ask = *here.ask;
-    if (ask.kind == AskKind::pixel) {
-        const auto& camera = play.world(step)->scene().camera;
-        for (int j = 0; j < camera.height; j += 5) {
-            for (int i = 0; i < camera.width; i += 7) {
-                answers.push_back(Json::array({i, j}));
-            }
-        }
-    } else if (ask.kind == AskKind::value) {
-        for (int part = 0; part <= 20; ++part) {
-            const double value = ask.from + (ask.to - ask.from) * part / 20;
-            answers.emplace_back(ask.whole ? std::round(value) : value);
-        }
-    } else {
-        const Pixel pixel = here.show.pixel;
-        const std::size_t count = ask.kind == AskKind::choice
-                                      ? ask.options.size()
-                                      : play.world(step)->tree_at(pixel.i, pixel.j)->rays.size();
-        for (std::size_t k = 0; k < count; ++k) {
-            answers.emplace_back(k);
-        }
-    }
-    return answers;
-}
-
 }  // namespace
 
 TEST_CASE("lesson: its mistakes are told with their places, several together") {
@@ -130,6 +98,12 @@ TEST_CASE("lesson: its mistakes are told with their places, several together") {
     CHECK(has(text, "/steps/0/claims/0: '1 +': ends too early"));
     CHECK(has(text, "/steps/0/ask/kind: found \"nummer\""));
     CHECK(has(text, "did you mean \"number\""));
+}
+
+TEST_CASE("lesson: a hint for a mistake belongs to an answer that a program can give") {
+    CHECK(has(refusal(lesson_with(R"("ask": {"kind": "ray", "question": "?",
+        "truth": "picked.id == 0", "hints": [{"mistake": "shd.missing", "text": "x"}]})")),
+              "/steps/0/ask/hints/0/mistake: is for questions of the kinds number and choice"));
 }
 
 TEST_CASE("lesson: numbers typed by hand are refused, those of formulas and names are not") {
@@ -231,6 +205,22 @@ TEST_CASE("lesson: a choice, a pixel, a ray and a value are judged") {
     CHECK(!value.play().judge(0, 3).right);
 }
 
+TEST_CASE("lesson: a question that cannot judge an answer is found") {
+    const auto failure = [](const std::string& ask) {
+        const auto failures = OneLesson(lesson_with("\"ask\": {" + ask + "}")).failures();
+        return failures.size() == 1 ? failures[0].place + ": " + failures[0].text : "";
+    };
+    // In the corners there is no ball.
+    const std::string corner = failure(R"("kind": "pixel", "question": "?", "example": [4, 4],
+        "truth": "picked.primary.hit.object == 'ball'")");
+    CHECK(has(corner, "/steps/0/ask: the answer [0,0] cannot be judged"));
+    CHECK(has(corner, "x != null and"));
+    CHECK(
+        has(failure(R"("kind": "number", "question": "?", "tolerance": 0, "truth": "primary.hit.t",
+        "hints": [{"when": "anser > 0", "text": "x"}])"),
+            "there is no name 'anser'"));
+}
+
 TEST_CASE("lesson: questions without exactly one right answer are found") {
     const auto two = OneLesson(lesson_with(R"("ask": {"kind": "choice", "question": "?",
         "truth": "1", "options": [{"text": "a", "value": 1}, {"text": "b", "value": 1}]})"))
@@ -288,7 +278,12 @@ TEST_CASE("a wrong choice, pixel, ray or value is told in every lesson what is w
     for (const std::string& name : lesson_names(lessons)) {
         const Play play(load_lesson(lessons, name));
         for (std::size_t k = 0; k < play.lesson().steps.size(); ++k) {
-            for (const Json& answer : some_answers(play, k)) {
+            // A number may be wrong in ways that nobody can foresee.
+            const auto& ask = play.step(k).ask;
+            if (!ask || ask->kind == AskKind::number) {
+                continue;
+            }
+            for (const Json& answer : sample_answers(play, k)) {
                 CAPTURE(name);
                 CAPTURE(k + 1);
                 CAPTURE(answer.dump());
