@@ -105,8 +105,9 @@ std::string plain_word(Reason reason) {
     return word;
 }
 
-OverlayRender::OverlayRender(std::shared_ptr<const Document> document, OverlayOf of)
-    : document_(std::move(document)), of_(std::move(of)) {
+OverlayRender::OverlayRender(std::shared_ptr<const Document> document, OverlayOf of,
+                             const RightOfWay* window)
+    : document_(std::move(document)), of_(std::move(of)), window_(window) {
     thread_ = std::thread([this] { run(); });
 }
 
@@ -120,6 +121,10 @@ Overlay OverlayRender::measured(Measure measure) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     const RenderOptions options{std::max(1, cores - 1), [this](double share) {
                                     share_ = share;
+                                    lower_own_priority();
+                                    if (window_) {
+                                        window_->give();
+                                    }
                                     return !cancelled_;
                                 }};
     return make_overlay(render_measured(document_->world(), measure, options), measure);
@@ -136,6 +141,7 @@ Overlay OverlayRender::compared(const lesson::DepthShown& depth) const {
 }
 
 void OverlayRender::run() {
+    lower_own_priority();
     try {
         const Measure* const measure = std::get_if<Measure>(&of_);
         auto overlay = std::make_shared<const Overlay>(

@@ -11,6 +11,7 @@
 #include "formats/measure_map.h"
 #include "state/document.h"
 #include "state/explained.h"
+#include "state/right_of_way.h"
 #include "trace/depth_picture.h"
 
 namespace raytree::inspector {
@@ -61,7 +62,9 @@ std::string plain_word(Reason reason);
 /// Measures a document's picture in threads of its own.
 class OverlayRender {
   public:
-    OverlayRender(std::shared_ptr<const Document> document, OverlayOf of);
+    /// Where there is a window, it goes first.
+    OverlayRender(std::shared_ptr<const Document> document, OverlayOf of,
+                  const RightOfWay* window = nullptr);
     /// Cancels, and waits for the trees that are just being traced.
     ~OverlayRender();
 
@@ -82,6 +85,7 @@ class OverlayRender {
 
     std::shared_ptr<const Document> document_;
     OverlayOf of_;
+    const RightOfWay* window_;
     std::shared_ptr<const Overlay> overlay_;
     std::string failure_;
     std::atomic<double> share_{0};

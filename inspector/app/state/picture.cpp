@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
 #include <array>
@@ -42,10 +43,21 @@ std::optional<Rgb<double>> traced(const World<double>& world, int i, int j) {
     }
 }
 
+/// Whoever works in the arena does so at a lower priority.
+class PolitelyWorking : public tbb::task_scheduler_observer {
+  public:
+    explicit PolitelyWorking(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
+        observe(true);
+    }
+    ~PolitelyWorking() override { observe(false); }
+    void on_scheduler_entry(bool) override { lower_own_priority(); }
+};
+
 }  // namespace
 
-PictureRender::PictureRender(std::shared_ptr<const Document> document, const ShownPicture* before)
-    : document_(std::move(document)) {
+PictureRender::PictureRender(std::shared_ptr<const Document> document, const ShownPicture* before,
+                             const RightOfWay* window)
+    : document_(std::move(document)), window_(window) {
     const Camera& camera = document_->scene().camera;
     picture_.stride = stride_of(camera);
     picture_.width = (camera.width - 1) / picture_.stride + 1;
@@ -99,22 +111,25 @@ void PictureRender::prepare() {
 }
 
 void PictureRender::run() {
+    // One core is left to the window.
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    tbb::task_arena arena(std::max(1, cores - 1));
+    const PolitelyWorking polite(arena);
+    arena.execute([this] { render(); });
+    done_ = !cancelled_;
+    ++version_;
+    stopped_ = true;
+}
+
+void PictureRender::render() {
     prepare();
     int step = 1;
     while (std::max(picture_.width, picture_.height) / step > coarsest_cells) {
         step *= 2;
     }
-    // One core is left to the window.
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    tbb::task_arena arena(std::max(1, cores - 1));
-    arena.execute([&] {
-        for (bool first = true; step > 0 && !cancelled_; step /= 2, first = false) {
-            run_pass(step, first);
-        }
-    });
-    done_ = !cancelled_;
-    ++version_;
-    stopped_ = true;
+    for (bool first = true; step > 0 && !cancelled_; step /= 2, first = false) {
+        run_pass(step, first);
+    }
 }
 
 void PictureRender::run_pass(int step, bool first) {
@@ -129,6 +144,9 @@ void PictureRender::run_row(int y, int step, bool first) {
     const int stride = has_earlier ? 2 * step : step;
     std::vector<std::optional<Rgb<double>>> row;
     for (int x = start; x < picture_.width; x += stride) {
+        if (window_) {
+            window_->give();
+        }
         if (cancelled_) {
             return;
         }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/document.h"
+#include "state/right_of_way.h"
 
 namespace raytree::inspector {
 
@@ -28,9 +29,11 @@ inline constexpr std::uint32_t not_finite_colour = 0xFFFF00FF;
 /// a coarse picture's pixels are those of the final one, drawn as squares.
 class PictureRender {
   public:
-    /// Where there is a picture of the same size before, it is what is seen at first.
+    /// Where there is a picture of the same size before, it is what is seen at first. Where there
+    /// is a window, it goes first.
     explicit PictureRender(std::shared_ptr<const Document> document,
-                           const ShownPicture* before = nullptr);
+                           const ShownPicture* before = nullptr,
+                           const RightOfWay* window = nullptr);
     /// Cancels, and waits for the trees that are just being traced.
     ~PictureRender();
 
@@ -47,6 +50,7 @@ class PictureRender {
 
   private:
     void run();
+    void render();
     void prepare();
     void run_pass(int step, bool first);
     void run_row(int y, int step, bool first);
@@ -57,6 +61,7 @@ class PictureRender {
     }
 
     std::shared_ptr<const Document> document_;
+    const RightOfWay* window_;
     mutable std::mutex mutex_;
     ShownPicture picture_;                                 ///< guarded by mutex_
     std::vector<std::optional<Rgb<double>>> intensities_;  ///< of cells; guarded by mutex_

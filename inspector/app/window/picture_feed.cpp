@@ -1,5 +1,7 @@
 #include "window/picture_feed.h"
 
+#include <QAbstractEventDispatcher>
+
 namespace raytree::inspector {
 namespace {
 
@@ -16,6 +18,10 @@ std::optional<OverlayOf> asked(const State& state) {
 PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state_(state) {
     timer_.setInterval(60);
     connect(&timer_, &QTimer::timeout, this, &PictureFeed::poll);
+    // While this thread does not wait for events, it answers them.
+    const auto* const events = QAbstractEventDispatcher::instance();
+    connect(events, &QAbstractEventDispatcher::awake, this, [this] { window_.take(); });
+    connect(events, &QAbstractEventDispatcher::aboutToBlock, this, [this] { window_.leave(); });
     state_.observe([this](const Changes& changes) {
         if (changes.document || changes.values) {
             restart();
@@ -37,7 +43,7 @@ void PictureFeed::restart() {
         render_->cancel();
         ending_.push_back(std::move(render_));
     }
-    render_ = std::make_unique<PictureRender>(state_.document(), &picture_);
+    render_ = std::make_unique<PictureRender>(state_.document(), &picture_, &window_);
     version_ = ~std::uint64_t{0};
     timer_.start();
     poll();
@@ -53,7 +59,7 @@ void PictureFeed::measure() {
     overlay_.reset();
     overlay_failed_ = false;
     if (measure_ && state_.document()) {
-        measuring_ = std::make_unique<OverlayRender>(state_.document(), *measure_);
+        measuring_ = std::make_unique<OverlayRender>(state_.document(), *measure_, &window_);
         timer_.start();
     }
     Q_EMIT updated();

@@ -8,6 +8,7 @@
 
 #include "state/overlay.h"
 #include "state/picture.h"
+#include "state/right_of_way.h"
 #include "state/state.h"
 
 namespace raytree::inspector {
@@ -18,6 +19,7 @@ class PictureFeed : public QObject {
 
   public:
     explicit PictureFeed(State& state, QObject* parent = nullptr);
+    ~PictureFeed() override { window_.leave(); }
 
     const ShownPicture& picture() const { return picture_; }
     bool done() const {
@@ -41,6 +43,7 @@ class PictureFeed : public QObject {
     void poll_overlay();
 
     State& state_;
+    RightOfWay window_;  ///< over the work below
     std::unique_ptr<PictureRender> render_;
     std::vector<std::unique_ptr<PictureRender>> ending_;  ///< cancelled, not yet at their end
     std::unique_ptr<OverlayRender> measuring_;            ///< null when it is done

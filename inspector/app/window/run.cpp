@@ -6,6 +6,7 @@
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <cstdlib>
 
 #include "formats/output_file.h"
@@ -30,8 +31,10 @@ void wait_until_drawn(const State& state, MainWindow& window) {
     const auto is_coming = [&] {
         return !window.feed().done() || state.working() || !window.scene_pane().has_shapes();
     };
+    QTimer look_again;
+    look_again.start(20);
     while (is_coming() && time.elapsed() < longest_wait) {
-        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);  // rests, unlike with a time
     }
     const int frames = window.scene_pane().frames();
     window.scene_pane().draw_again();

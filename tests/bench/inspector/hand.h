@@ -125,18 +125,23 @@ class Heartbeat {
     Time longest_;
 };
 
-inline void process_for(int milliseconds) {
-    QElapsedTimer time;
-    time.start();
-    while (time.elapsed() < milliseconds) {
-        QApplication::processEvents(QEventLoop::AllEvents, 5);
+/// Lets the window answer, and rest where there is nothing to answer, as its users see it.
+template <class Condition> void process_while(Condition condition) {
+    QTimer look_again;
+    look_again.start(5);
+    while (condition()) {
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
 }
 
+inline void process_for(int milliseconds) {
+    QElapsedTimer time;
+    time.start();
+    process_while([&] { return time.elapsed() < milliseconds; });
+}
+
 inline void wait_for_picture(const State& state, const MainWindow& window) {
-    while (state.working() || !window.feed().done()) {
-        QApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
-    }
+    process_while([&] { return state.working() || !window.feed().done(); });
     QApplication::processEvents();
 }
 
