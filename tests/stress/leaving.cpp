@@ -220,10 +220,15 @@ template <class T> class Judge {
             auto& cone = std::get<Cone>(longer.objects[0].shape);
             const Point axis = cone.apex - cone.base;
             const double widening = cone.apex_radius - cone.base_radius;
-            cone.base -= z_room * axis;
-            cone.apex += z_room * axis;
-            cone.base_radius = std::max(0.0, cone.base_radius - z_room * widening);
-            cone.apex_radius = std::max(0.0, cone.apex_radius + z_room * widening);
+            // No farther than to the tip: it would be another cone.
+            const double below =
+                widening > 0 ? std::min(z_room, cone.base_radius / widening) : z_room;
+            const double above =
+                widening < 0 ? std::min(z_room, cone.apex_radius / -widening) : z_room;
+            cone.base -= below * axis;
+            cone.apex += above * axis;
+            cone.base_radius -= below * widening;
+            cone.apex_radius += above * widening;
             const ShapeSet<Quad> shapes(longer);
             Ray<Quad> start = exact(ray);
             start.going = Going::inwards;
