@@ -31,7 +31,7 @@ Json polygon_json(const PolygonDerivation& how) {
             {"crossings", how.crossings}};
 }
 
-/// The shadow rays of a hit by their lights.
+/// The shadow rays of a hit by their lights; null for a light to which none was sent.
 class ShadowScope;
 
 class RayScope final : public Scope, public std::enable_shared_from_this<RayScope> {
@@ -162,7 +162,8 @@ class ShadowScope final : public Scope {
 
     std::optional<Value> member(std::string_view name) const override {
         if (name == "count") {
-            return Value::of(rays_.size());
+            return Value::of(std::ranges::count_if(
+                rays_, [](const auto& named) { return named.second.scope != nullptr; }));
         }
         const auto found = rays_.find(std::string(name));
         return found == rays_.end() ? std::nullopt : std::optional(found->second);
@@ -181,9 +182,12 @@ class ShadowScope final : public Scope {
 
 Value RayScope::shadows() const {
     std::map<std::string, Value> rays;
+    for (const Light& light : world_->scene().lights) {
+        rays.emplace(light.name, Value::of(nullptr));
+    }
     for (const TreeRay<double>& other : tree_->rays) {
         if (other.parent == id_ && other.shadow) {
-            rays.emplace(other.shadow->light, ray_or_nothing(other.id));
+            rays.insert_or_assign(other.shadow->light, ray_or_nothing(other.id));
         }
     }
     return {nullptr, std::make_shared<const ShadowScope>(std::move(rays))};

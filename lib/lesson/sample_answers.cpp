@@ -7,17 +7,14 @@ namespace raytree::lesson {
 namespace {
 
 constexpr std::size_t most_rays = 1000;
-constexpr int pixels_across = 23;
-constexpr int pixels_down = 17;
 constexpr int values = 21;
 
-std::vector<Json> pixels_of(const Camera& camera) {
+std::vector<Json> pixels_of(const Camera& camera, int in_a_row) {
+    const int across = std::min(in_a_row, camera.width);
+    const int down = std::min(in_a_row, camera.height);
     std::vector<Json> pixels;
-    for (int j = 0; j < std::min(pixels_down, camera.height); ++j) {
-        for (int i = 0; i < std::min(pixels_across, camera.width); ++i) {
-            pixels.push_back({i * camera.width / std::min(pixels_across, camera.width),
-                              j * camera.height / std::min(pixels_down, camera.height)});
-        }
+    for (int k = 0; k < across * down; ++k) {
+        pixels.push_back({k % across * camera.width / across, k / across * camera.height / down});
     }
     return pixels;
 }
@@ -41,7 +38,7 @@ std::vector<Json> first(std::size_t count) {
 
 }  // namespace
 
-std::vector<Json> sample_answers(const Play& play, std::size_t step) {
+std::vector<Json> sample_answers(const Play& play, std::size_t step, int pixels_in_a_row) {
     const Step& here = play.step(step);
     const Ask& ask = here.ask.value();
     const Pixel pixel = here.show.pixel;
@@ -49,10 +46,10 @@ std::vector<Json> sample_answers(const Play& play, std::size_t step) {
         case AskKind::choice:
             return first(ask.options.size());
         case AskKind::pixel:
-            return pixels_of(play.world(step)->scene().camera);
+            return pixels_of(play.world(step)->scene().camera, pixels_in_a_row);
         case AskKind::ray:
-            return first(std::min(
-                most_rays, play.world(step)->tree_at(pixel.i, pixel.j)->rays.size()));
+            return first(
+                std::min(most_rays, play.world(step)->tree_at(pixel.i, pixel.j)->rays.size()));
         case AskKind::value:
             return values_of(ask);
         default: {

@@ -69,7 +69,8 @@ def studies(bench):
 def lessons(bench):
     folder = bench.data.parent / "lessons"
     steps = len(json.loads((folder / "04-spheres/lesson.json").read_text())["steps"])
-    bench.expect("all lessons hold", f"lesson check --lessons {folder}", 0, "21-.*all hold", "")
+    bench.expect("all lessons hold", f"lesson check --lessons {folder}", 0, "21-.*all hold", "",
+                 seconds=120)
     bench.expect("list", f"lesson list --lessons {folder}", 0, r"(?s)01-.*04-spheres.*min.*21-", "")
     bench.expect("show", f"lesson show spheres --lessons {folder}", 0, rf"(?s)1 of {steps}.*Answer: .*{steps} of {steps}", "")
     bench.expect("show a step", f"lesson show 4 --step 3 --lessons {folder}", 0, f"3 of {steps}", "")

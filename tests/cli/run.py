@@ -79,11 +79,11 @@ class Bench:
             print(f"FAILED  {name}: {text}", flush=True)
         return good
 
-    def expect(self, name, command, code, out, err, written=""):
+    def expect(self, name, command, code, out, err, written="", seconds=10):
         """Runs a command and checks all that is to be seen of it."""
         before = self.files()
         try:
-            done = self.run(command)
+            done = self.run(command, seconds)
         except subprocess.TimeoutExpired:
             return self.check(name, False, f"took too long: raytree {command}")
         after = self.files()

@@ -155,6 +155,18 @@ TEST_CASE("lesson: a change is applied by the names of lights and objects") {
     CHECK(has(wrong[0].text, "/settings/max_depth"));
 }
 
+TEST_CASE("lesson: shadow rays go by their lights, null where none was sent") {
+    CHECK(OneLesson(lesson_with(R"("claims": ["primary.shadow.key.light == 'key'",
+        "primary.shadow.count == 1", "primary.reflected.shadow.key == null",
+        "primary.reflected.shadow.count == 0"])"))
+              .failures()
+              .empty());
+    const auto unknown =
+        OneLesson(lesson_with(R"("claims": ["primary.shadow.kea == null"])")).failures();
+    REQUIRE(unknown.size() == 1);
+    CHECK(has(unknown[0].text, "did you mean \"key\""));
+}
+
 TEST_CASE("lesson: answers are judged by the tree, and known mistakes get their hints") {
     const OneLesson one(lesson_with(R"("ask": {"kind": "number", "question": "t?",
         "truth": "primary.refracted.hit.t", "tolerance": 0.01, "unit": " units",
@@ -283,7 +295,7 @@ TEST_CASE("a wrong choice, pixel, ray or value is told in every lesson what is w
             if (!ask || ask->kind == AskKind::number) {
                 continue;
             }
-            for (const Json& answer : sample_answers(play, k)) {
+            for (const Json& answer : sample_answers(play, k, 20)) {
                 CAPTURE(name);
                 CAPTURE(k + 1);
                 CAPTURE(answer.dump());
