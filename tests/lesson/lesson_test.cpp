@@ -155,6 +155,15 @@ TEST_CASE("lesson: a change is applied by the names of lights and objects") {
     CHECK(has(wrong[0].text, "/settings/max_depth"));
 }
 
+TEST_CASE("lesson: shadow volumes of a scene in which nothing has any are refused") {
+    const auto failures =
+        OneLesson(lesson_with("", R"("x")", R"(, "volumes": {"light": "key"})")).failures();
+    REQUIRE(failures.size() == 1);
+    CHECK(has(failures[0].file, "lesson.json"));
+    CHECK(failures[0].place == "/steps/0/show");
+    CHECK(has(failures[0].text, "no polygon"));
+}
+
 TEST_CASE("lesson: shadow rays go by their lights, null where none was sent") {
     CHECK(OneLesson(lesson_with(R"("claims": ["primary.shadow.key.light == 'key'",
         "primary.shadow.count == 1", "primary.reflected.shadow.key == null",
