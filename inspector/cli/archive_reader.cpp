@@ -51,6 +51,9 @@ ArchiveReader::ArchiveReader(const std::filesystem::path& file, const ArchiveLim
             file.string(), "",
             std::filesystem::exists(file, error) ? "is not a file" : "there is no such file");
     }
+    limits_.all_bytes =
+        std::min(limits_.all_bytes,
+                 limits_.small_bytes + limits_.ratio * std::filesystem::file_size(file, error));
     if (archive_read_open_filename(handle_->of, file.c_str(), 1 << 16) != ARCHIVE_OK) {
         throw InputError(file.string(), "",
                          "cannot be read as a zip, tar or tar.gz: " + handle_->error());

@@ -18,7 +18,9 @@ struct ArchiveEntry {
 /// What is read of an archive, so that a hostile one is soon done with.
 struct ArchiveLimits {
     std::size_t entry_bytes = std::size_t{16} << 20;
-    std::size_t all_bytes = std::size_t{512} << 20;  ///< unpacked
+    std::size_t all_bytes = std::size_t{512} << 20;   ///< unpacked, of a large archive
+    std::size_t small_bytes = std::size_t{32} << 20;  ///< unpacked, of one of any size; and
+    std::size_t ratio = 50;                           ///< so many times its own size more
     std::size_t entries = 20'000;
 };
 

@@ -18,6 +18,12 @@ bool is_picture(const std::string& file) {
 
 bool is_tree(const std::string& file) { return extension_of(file) == "json"; }
 
+/// What programs put beside files: ".x", and "__MACOSX/._x" in archives made on a Mac.
+bool is_hidden(const std::string& file) {
+    return fs::path(file).filename().string().starts_with('.') ||
+           file.find("__MACOSX/") != std::string::npos;
+}
+
 /// A folder's trees and archives; where it has none, its pictures.
 std::vector<std::string> files_inside(const std::string& folder) {
     std::vector<std::string> trees, pictures;
@@ -25,7 +31,7 @@ std::vector<std::string> files_inside(const std::string& folder) {
     for (fs::recursive_directory_iterator entry(folder, error), end; entry != end && !error;
          entry.increment(error)) {
         const std::string name = entry->path().string();
-        if (entry->is_directory(error)) {
+        if (entry->is_directory(error) || is_hidden(name)) {
             continue;
         }
         if (is_tree(name) || ArchiveReader::is_archive(name)) {
@@ -72,12 +78,17 @@ Handed SubmissionFeed::named(Handed handed) {
 }
 
 std::optional<Handed> SubmissionFeed::from_archive() {
-    auto entry =
-        archive_->next([](const std::string& name) { return is_tree(name) || is_picture(name); });
+    auto entry = archive_->next([](const std::string& name) {
+        return (is_tree(name) || is_picture(name)) && !is_hidden(name);
+    });
     if (!entry) {
         archive_.reset();
-        return std::nullopt;
+        if (any_in_archive_) {
+            return std::nullopt;
+        }
+        entry = ArchiveEntry{"", "", "has no trees or pictures in it"};
     }
+    any_in_archive_ = true;
     Handed handed;
     handed.name = archive_name_ + (entry->name.empty() ? "" : '/' + entry->name);
     handed.text = std::move(entry->bytes);
@@ -105,6 +116,7 @@ std::optional<Handed> SubmissionFeed::next() {
         archive_name_ = handed.name;
         try {
             archive_ = std::make_unique<ArchiveReader>(file);
+            any_in_archive_ = false;
         } catch (const InputError& error) {
             handed.refusal = error.mistakes().front().text;
             return named(std::move(handed));

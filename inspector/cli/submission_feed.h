@@ -41,6 +41,7 @@ class SubmissionFeed {
     std::size_t handed_out_ = 0;
     std::unique_ptr<ArchiveReader> archive_;
     std::string archive_name_;
+    bool any_in_archive_ = false;
 };
 
 }  // namespace raytree::cli

@@ -168,7 +168,7 @@ const MistakeRow rows[] = {
          };
      }}},
     {"cam.aspect_missing",
-     "The picture's aspect is left out.",
+     "The picture's aspect is left out, or cut off to a whole number.",
      topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
@@ -176,10 +176,16 @@ const MistakeRow rows[] = {
          };
      },
      {[](Laws& laws) {
-         laws.primary = [](const Place& place, const Step& step) {
-             return scaled(place, step, 1 / aspect_of(place), 1);
-         };
-     }}},
+          laws.primary = [](const Place& place, const Step& step) {
+              return scaled(place, step, 1 / aspect_of(place), 1);
+          };
+      },
+      [](Laws& laws) {
+          laws.primary = [](const Place& place, const Step& step) {
+              const double whole = std::max(1.0, std::trunc(aspect_of(place)));
+              return scaled(place, step, 1, aspect_of(place) / whole);
+          };
+      }}},
     {"cam.y_flipped",
      "Rows are counted from below: the picture stands on its head.",
      topic,
@@ -190,13 +196,20 @@ const MistakeRow rows[] = {
          };
      },
      {axes_times<1, -1>}},
-    {"cam.row_flipped_h_minus_j", "Rows are flipped by height - j: one row off.", topic,
+    {"cam.row_flipped_h_minus_j",
+     "Rows are flipped by height - j and not height - 1 - j: one row off.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return at_pixel(place, step.pixel_i + offset(place),
                              place.scene().camera.height - step.pixel_j + offset(place));
          };
-     }},
+     },
+     {[](Laws& laws) {  // and counted from below, so that the picture stands upright
+         laws.primary = [](const Place& place, const Step& step) {
+             return at_pixel(place, step.pixel_i + offset(place), step.pixel_j + offset(place) - 1);
+         };
+     }}},
     {"cam.mirrored",
      "Left and right are exchanged: the cross product is the wrong way round.",
      topic,
@@ -211,13 +224,21 @@ const MistakeRow rows[] = {
      axes_times<-1, -1>},
     {"cam.lookat_as_dir", "The look-at point is used as the viewing direction.", topic,
      [](Laws& laws) { laws.primary = look_at_as_direction; }},
-    {"cam.looks_back", "The camera looks backwards: eye - look-at instead of look-at - eye.", topic,
+    {"cam.looks_back",
+     "The camera looks backwards: eye - look-at instead of look-at - eye.",
+     topic,
      [](Laws& laws) {
          laws.primary = [](const Place& place, const Step& step) {
              return along_axes(place, step, -place.camera.forward().vec(),
                                place.camera.right().vec(), place.camera.up());
          };
-     }},
+     },
+     {[](Laws& laws) {  // the cross products follow
+         laws.primary = [](const Place& place, const Step& step) {
+             return along_axes(place, step, -place.camera.forward().vec(),
+                               -place.camera.right().vec(), place.camera.up());
+         };
+     }}},
     {"cam.up_not_orthogonalised", "The given up vector is used as it is, not made perpendicular.",
      topic,
      [](Laws& laws) {

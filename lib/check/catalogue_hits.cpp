@@ -84,6 +84,20 @@ Found whole_number(const Place& place, const Step& step, Interval<double> interv
     return hit;
 }
 
+/// As a program has it that knows which surface a ray leaves, be its start beside it.
+void whole_number_by_surface(Laws& laws) {
+    laws.meet = [](const Place& place, const Step& step, Interval<double> interval) {
+        Step from = step;
+        from.leaving = step.parent ? step.parent->primitive : no_primitive;
+        return whole_number(place, from, interval);
+    };
+    laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+        Step from = step;
+        from.surface = step.primitive;
+        return model::shadow(place, from, shine);
+    };
+}
+
 Interval<double> from_at_least(const Place& place, const Step& step, double least) {
     Interval<double> interval = model::interval(place, step);
     interval.from = std::max(interval.from, least);
@@ -154,8 +168,11 @@ const MistakeRow rows[] = {
      topic,
      everywhere<plane_sign>,
      {but_for_shadows<plane_sign>}},
-    {"isect.t_int", "t is cut off to a whole number.", topic,
-     [](Laws& laws) { laws.meet = whole_number; }},
+    {"isect.t_int",
+     "t is cut off to a whole number.",
+     topic,
+     [](Laws& laws) { laws.meet = whole_number; },
+     {whole_number_by_surface}},
     {"isect.backface_culled",
      "Back sides are not hit at all.",
      topic,

@@ -210,19 +210,12 @@ const MistakeRow rows[] = {
      [](Laws& laws) {
          laws.specular = [](const Place&, const Step&, const Shine&) { return Spectrum(0.0); };
      }},
-    {"lit.averaged_over_lights",
-     "The lights are averaged and not added.",
-     topic,
+    {"lit.averaged_over_lights", "The lights are averaged and not added.", topic,
      [](Laws& laws) {
          scale_by(laws, [](const Place& place, const Step&, const Shine&) {
              return 1.0 / static_cast<double>(place.lights.size());
          });
-     },
-     {[](Laws& laws) {
-         scale_by(laws, [](const Place& place, const Step&, const Shine&) {
-             return 1.0 / std::sqrt(static_cast<double>(place.lights.size()));
-         });
-     }}},
+     }},
     {"lit.only_last_light", "Only the last light counts: each overwrites the one before.", topic,
      [](Laws& laws) {
          scale_by(laws, [](const Place& place, const Step&, const Shine& shine) {

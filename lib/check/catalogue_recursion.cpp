@@ -171,13 +171,21 @@ const MistakeRow rows[] = {
              return product;
          };
      }},
-    {"rec.averaged", "Local and reflected light are averaged.", topic,
+    {"rec.averaged",
+     "Local and reflected light are averaged.",
+     topic,
      [](Laws& laws) {
          laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
              const bool any = terms.reflected.grown || terms.refracted.grown;
              return (any ? 0.5 : 1.0) * model::combine(place, step, terms);
          };
-     }},
+     },
+     {[](Laws& laws) {
+         laws.combine = [](const Place& place, const Step& step, const Terms& terms) {
+             const int all = 1 + int{terms.reflected.grown} + int{terms.refracted.grown};
+             return (1.0 / all) * model::combine(place, step, terms);
+         };
+     }}},
     {"bg.black_for_secondary", "Secondary rays that hit nothing are black.", topic,
      [](Laws& laws) {
          laws.miss = [](const Place& place, const Step& step) {

@@ -220,7 +220,9 @@ const MistakeRow rows[] = {
                                   : Passage{};
          };
      }},
-    {"shd.tint_once", "Light through glass is tinted once, not at every crossing.", topic,
+    {"shd.tint_once",
+     "Light through glass is tinted once, not at every crossing.",
+     topic,
      [](Laws& laws) {
          laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
              Passage passage = model::shadow(place, step, shine);
@@ -233,7 +235,18 @@ const MistakeRow rows[] = {
              }
              return passage;
          };
-     }},
+     },
+     {[](Laws& laws) {  // what is opaque blocks it all the same
+         laws.shadow = [](const Place& place, const Step& step, const Shine& shine) {
+             Passage passage = model::shadow(place, step, shine);
+             const auto hits =
+                 between(place, step.point, shine.towards, step.surface, shine.distance, any_hit);
+             if (!is_zero(passage.transmittance) && !hits.empty()) {
+                 passage.transmittance = material_of(place, hits.front().primitive).kt;
+             }
+             return passage;
+         };
+     }}},
     {"shd.first_hit_only_then_compare",
      "One hit alone is compared with the light's distance, whatever else lies in between.",
      topic,

@@ -33,6 +33,12 @@ const Sphere* sphere_of(const Place& place, PrimitiveId id) {
     return std::get_if<Sphere>(&object.shape);
 }
 
+/// Whether the ray starts where the shape was hit, though the point may lie beside the true shape.
+bool starts_on(const Step& step, PrimitiveId id) {
+    const Step* const from = step.kind == RayKind::shadow ? &step : step.parent;
+    return step.leaving == id || (from && from->primitive == id);
+}
+
 /// The two solutions that `formula` gives for spheres; other shapes are met rightly.
 template <auto formula> Roots2 solved(const Place& place, const Step& step, PrimitiveId id) {
     const Sphere* const sphere = sphere_of(place, id);
@@ -50,7 +56,7 @@ template <auto formula> Roots2 solved(const Place& place, const Step& step, Prim
     const auto [first, second] = formula(q);
     Roots2 roots;
     for (const double t : {std::min(first, second), std::max(first, second)}) {
-        const bool own_start = step.leaving == id && t <= at_the_start * (q.far + q.radius);
+        const bool own_start = starts_on(step, id) && t <= at_the_start * (q.far + q.radius);
         if (std::isfinite(t) && !own_start) {
             roots.add(t);
         }

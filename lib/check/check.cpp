@@ -6,7 +6,9 @@
 
 #include "check/catalogue.h"
 #include "check/diagnose.h"
+#include "check/evidence.h"
 #include "check/forge.h"
+#include "check/profile_fit.h"
 #include "check/tree_overlay.h"
 #include "check/whole.h"
 #include "scene/input_error.h"
@@ -16,20 +18,9 @@ namespace {
 
 constexpr std::size_t most_truths = 64;  // kept for the next submission of the same pixel
 
-constexpr std::size_t rays_for_profiles = 2000;  // enough to tell courses apart
-constexpr std::size_t few_causes = 20;           // that rounding alone may make
-
 constexpr std::size_t most_children = 1000;
 
 constexpr std::size_t spare_rays = 2000;  // that a wrong tree may have too many of
-
-/// How colours are made 8 bits is seen in pictures alone.
-Choices seen_in_trees(Choices choices) {
-    std::erase_if(choices, [](const Convention* choice) {
-        return choice->axis == "quantise" || choice->axis == "gamma";
-    });
-    return choices;
-}
 
 /// Whether a ray has more children than lights and branches explain. No mistake of the catalogue
 /// makes such a tree, and looking for one would go through them each time.
@@ -65,61 +56,6 @@ Checker::Truth Checker::truth_at(const Rulebook& book, int i, int j) const {
         truths_.clear();
     }
     return truths_.emplace(key, truth).first->second;
-}
-
-/// The profile with the fewest causes of differences; the first of equals.
-const Profile& Checker::best_profile(const Submission& submission) const {
-    const Profile* best = &profiles().front();
-    ReplayOptions options;
-    options.rtol = options_.rtol;
-    options.most_rays = rays_for_profiles;
-    std::size_t fewest = ~std::size_t{0};
-    for (const Profile& profile : profiles()) {
-        options.enough = fewest;
-        const Rulebook& book = books_.of(profile);
-        Replay replay(book.place, book.names, book.laws, submission, options);
-        replay.run();
-        if (replay.causes() < fewest) {
-            best = &profile;
-            fewest = replay.causes();
-        }
-        if (fewest == 0) {
-            break;
-        }
-    }
-    return *best;
-}
-
-bool Checker::explains_all(const Submission& submission, const Choices& choices) const {
-    const Rulebook& book = books_.of(choices);
-    ReplayOptions options;
-    options.rtol = options_.rtol;
-    options.most_rays = rays_for_profiles;
-    const auto causes = [&](std::size_t enough) {
-        options.enough = enough;
-        Replay replay(book.place, book.names, book.laws, submission, options);
-        replay.run();
-        return replay.causes();
-    };
-    const std::size_t left = causes(few_causes);
-    if (left == 0 || left >= few_causes) {
-        return left == 0;
-    }
-    const Slacks slacks = slacks_of(book.place, book.names, book.laws, submission, options);
-    options.slacks = &slacks;
-    return causes(1) == 0;
-}
-
-/// What other courses do that would make all of it right: one convention, or a course's.
-void Checker::look_for_conventions(const Submission& submission, const Choices& base,
-                                   Report& report) const {
-    for (const Choices& choices : books_.alternatives(base)) {
-        const Choices differing = seen_in_trees(books_.differences(choices, base));
-        if (!differing.empty() && explains_all(submission, choices)) {
-            report.conventions = differing;
-            return;
-        }
-    }
 }
 
 void Checker::judge(const Submission& submission, const Rulebook& book, Report& report) const {
@@ -158,7 +94,7 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
         report.findings.push_back(std::move(finding));
     }
     if (judged->causes() > 0 && report.profile_asked_for) {
-        look_for_conventions(submission, book.choices, report);
+        report.conventions = ProfileFit(books_, submission, options_.rtol).excuses(book.choices);
     }
     if (judged->causes() > 0 && options_.name_mistakes && !is_crowded(submission)) {
         diagnose(book.place, book.names, book.laws, submission, options, report);
@@ -175,25 +111,40 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
     }
 }
 
-/// By the profile that is asked for; else by the lecture's or, where it explains more, by the one
-/// that fits best.
+/// By the profile that is asked for; else by the one that fits best, the lecture's among equals.
 void Checker::judge_by_fitting(const Submission& submission, Report& report) const {
     if (options_.profile) {
         judge_by(profile_named(*options_.profile), submission, report);
         return;
     }
+    const ProfileFit fit(books_, submission, options_.rtol);
     const Profile& lecture = profiles().front();
-    const Profile& best = best_profile(submission);
-    Report by_best = report;
-    judge_by(best, submission, by_best);
-    if (&best != &lecture && by_best.causes() > report.causes()) {
-        Report by_lecture = report;
-        judge_by(lecture, submission, by_lecture);
-        if (by_lecture.causes() <= by_best.causes()) {
-            by_best = std::move(by_lecture);
-        }
+    const Profile& best = fit.best();
+    Report by_lecture = report;
+    const std::size_t before = report.causes();
+    judge_by(best, submission, report);
+    if (&best == &lecture) {
+        return;
     }
-    report = std::move(by_best);
+    if (report.causes() > before) {
+        judge_by(lecture, submission, by_lecture);
+        if (by_lecture.causes() <= report.causes()) {
+            report = std::move(by_lecture);
+        }
+        return;
+    }
+    const Choices shown = fit.shown(best);
+    if (!ProfileFit::is_doubtful(best, shown)) {
+        return;
+    }
+    judge_by(lecture, submission, by_lecture);
+    if (!by_lecture.mistakes.empty()) {
+        const std::string name(best.name);
+        by_lecture.conventions = shown;
+        by_lecture.remarks.push_back("the course " + name + " has it so: --profile " + name +
+                                     " takes it for right");
+        report = std::move(by_lecture);
+    }
 }
 
 void Checker::judge_by(const Profile& profile, const Submission& submission, Report& report) const {
@@ -234,6 +185,9 @@ Report Checker::check(const Submission& submission) const {
     if (report.compared == 0) {
         report.findings.push_back(
             of_the_whole("rays", "it gives no quantity that could be compared"));
+    }
+    if (report.findings.empty()) {
+        look_for_contradictions(submission, scene_, report.findings);
     }
     if (report.findings.empty()) {
         report.verdict = Verdict::pass;

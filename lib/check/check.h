@@ -43,8 +43,9 @@ struct Report {
     std::string file;
     Verdict verdict = Verdict::unreadable;
     std::string profile;
-    /// In what the profile differs from the lecture. Of a profile that was asked for and does not
-    /// fit: the conventions of other courses that explain everything; none where none do.
+    /// In what the profile differs from the lecture. Of the lecture, and of a profile that was
+    /// asked for and does not fit: the conventions of other courses that explain everything; none
+    /// where none do, or where another course was not asked for and has too little to show for it.
     Choices conventions;
     bool profile_asked_for = false;
     double score = 0;  ///< the share of quantities that are right
@@ -87,13 +88,9 @@ class Checker {
   private:
     using Truth = std::shared_ptr<const RayTree<double>>;
     Truth truth_at(const Rulebook& book, int i, int j) const;
-    const Profile& best_profile(const Submission& submission) const;
     void judge_by_fitting(const Submission& submission, Report& report) const;
     void judge_by(const Profile& profile, const Submission& submission, Report& report) const;
     void judge(const Submission& submission, const Rulebook& book, Report& report) const;
-    bool explains_all(const Submission& submission, const Choices& choices) const;
-    void look_for_conventions(const Submission& submission, const Choices& base,
-                              Report& report) const;
 
     const Scene& scene_;
     Rulebooks books_;

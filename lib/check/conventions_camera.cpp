@@ -75,6 +75,12 @@ Interval<double> near_for_all(const Place& place, const Step& step) {
 
 const std::vector<Convention>& camera_conventions() {
     static const std::vector<Convention> table = {
+        // First: the others make a window of the angle.
+        {"fov", "horizontal", "the angle of view is the horizontal one", nullptr, nullptr, ""},
+        {"fov", "vertical", "the angle of view is the vertical one", vertical_fov, nullptr,
+         "cam.fov_horizontal"},
+        {"fov", "to-the-edge", "the angle of view is that from the middle to the edge",
+         fov_to_the_edge, nullptr, "cam.fov_not_halved"},
         {"sample", "scene", "rays go through the pixel where the scene says", nullptr, nullptr, ""},
         {"sample", "centre", "rays go through the middle of the pixel",
          [](Scene& scene) { scene.settings.pixel_sample = PixelSample::center; }, nullptr,
@@ -88,11 +94,6 @@ const std::vector<Convention>& camera_conventions() {
          nullptr, "cam.wminus1"},
         {"rows", "down", "rows are counted from above", nullptr, nullptr, ""},
         {"rows", "up", "rows are counted from below", rows_from_below, nullptr, "cam.y_flipped"},
-        {"fov", "horizontal", "the angle of view is the horizontal one", nullptr, nullptr, ""},
-        {"fov", "vertical", "the angle of view is the vertical one", vertical_fov, nullptr,
-         "cam.fov_horizontal"},
-        {"fov", "to-the-edge", "the angle of view is that from the middle to the edge",
-         fov_to_the_edge, nullptr, "cam.fov_not_halved"},
         {"near", "primary", "primary rays do not see what is nearer than the near distance",
          nullptr, nullptr, ""},
         {"near", "all", "no ray sees what is nearer than the near distance", nullptr,

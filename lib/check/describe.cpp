@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "scene/utf8.h"
+
 namespace raytree::check {
 namespace {
 
@@ -76,15 +78,14 @@ std::string a_ray(RayKind kind) { return std::string(word_of(kind)) + " ray"; }
 const FieldText& text_of(Field field) { return field_texts[place_of(field)]; }
 
 std::string harmless(std::string_view text) {
-    std::string out;
-    for (const char c : text.substr(0, longest_text)) {
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+    if (text.size() <= longest_text) {
+        return legible(text);
     }
-    while (text.size() > longest_text && !out.empty() &&
-           (static_cast<unsigned char>(out.back()) & 0xC0) == 0x80) {
-        out.pop_back();
+    std::size_t end = longest_text;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
+        --end;  // not within a character
     }
-    return text.size() > longest_text ? out + "..." : out;
+    return legible(text.substr(0, end)) + "...";
 }
 
 std::string quantity_of(const Finding& finding) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "check/catalogue.h"
+#include "check/evidence.h"
 #include "check/lessons.h"
 #include "check/mistake_search.h"
 #include "check/one_factor.h"
@@ -114,17 +115,6 @@ std::string rounded_text(double x) {
 
 }  // namespace
 
-bool tells_enough(const Report& report) {
-    std::size_t decisions = 0;
-    for (const Finding& finding : report.findings) {
-        if (finding.problem == Problem::differs && finding.found.numbers.size > 0) {
-            return true;
-        }
-        decisions += finding.problem != Problem::whole && !finding.follows_from ? 1 : 0;
-    }
-    return decisions > 2;
-}
-
 NamedMistake named_mistake(const MistakeRow& row) {
     NamedMistake mistake;
     mistake.id = row.id;
@@ -174,7 +164,7 @@ void diagnose(const Place& place, const Names& names, const Laws& laws,
     }
     NamedMistake best = named_mistake(*alone.front().rows.front());
     const std::optional<double> factor = one_factor(report);
-    best.sure = fewest == 0 && as_good == 1 && tells_enough(report) && !factor;
+    best.sure = fewest == 0 && as_good == 1 && !factor && is_unmistakable(report);
     if (factor && fewest == 0) {
         report.remarks.push_back("all that is wrong is " + rounded_text(*factor) +
                                  " times what it must be: whatever else multiplies by that would "

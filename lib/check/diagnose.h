@@ -11,10 +11,6 @@ namespace raytree::check {
 void diagnose(const Place& place, const Names& names, const Laws& laws,
               const Submission& submission, const ReplayOptions& options, Report& report);
 
-/// Whether there is enough to be sure of what explains it: a number, or several decisions. One
-/// missing ray may be missing for many reasons.
-bool tells_enough(const Report& report);
-
 /// The mistake with its words, neither sure nor tied.
 NamedMistake named_mistake(const MistakeRow& row);
 

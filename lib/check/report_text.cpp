@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "check/conventions.h"
 #include "formats/xml_text.h"
 
 namespace raytree::check {
@@ -29,7 +30,9 @@ std::string headline(const Printed& of) {
     if (of.compares != "pixels") {
         line += ", " + std::to_string(of.rays) + (of.rays == 1 ? " ray" : " rays");
     }
-    line += ", " + std::to_string(of.compared) + ' ' + of.compares + " compared";
+    const std::string one = of.compares == "pixels" ? "pixel" : "quantity";
+    line += ", " + std::to_string(of.compared) + ' ' + (of.compared == 1 ? one : of.compares) +
+            " compared";
     if (of.verdict == "fail") {
         line += ", " + percent(of.score) + " right";
     }
@@ -44,7 +47,7 @@ std::string conventions_text(const Printed& of) {
     if (of.conventions.empty()) {
         return "";
     }
-    std::string text = of.profile_asked_for
+    std::string text = of.profile_asked_for || of.profile == profiles().front().name
                            ? "  Nothing else is wrong than conventions of other courses:\n"
                            : "  The profile " + of.profile + " differs from the lecture:\n";
     for (const PrintedConvention& convention : of.conventions) {

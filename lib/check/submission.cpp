@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <mutex>
 
 #include "formats/output_file.h"
@@ -63,6 +65,13 @@ Spelling spelling_of(double x) {
     int exponent = 0;
     std::from_chars(e + (e != end && e[1] == '+' ? 2 : 1), end, exponent);
     return {digits, std::max(0, digits - 1 - exponent)};
+}
+
+/// What a number was in a file, where scaling it back has cost it its last digits.
+double without_last_digits(double x) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.12g", x);
+    return std::strtod(text, nullptr);
 }
 
 /// Large files are parsed one at a time, so that a folder of them fits into memory.
@@ -132,20 +141,23 @@ Precision precision_of(const Submission& submission) {
     for (std::size_t ray = 0; ray < submission.tree.rays.size() && ray < 1000; ++ray) {
         for (std::size_t k = 0; k < field_count; ++k) {
             const Field field = static_cast<Field>(k);
-            // Directions and what is measured along them are not as the file has them where they
-            // were not unit vectors.
-            const bool scaled =
-                (field == Field::direction || field == Field::t) && submission.units[ray] != 1;
-            if (!submission.given[ray][k] || scaled) {
+            // Where a direction was not a unit vector, it and what is measured along it are not as
+            // the file has them.
+            const double unit = submission.units[ray];
+            const bool scaled = (field == Field::direction || field == Field::t) && unit != 1;
+            if (!submission.given[ray][k]) {
                 continue;
             }
             const Numbers numbers = numbers_of(submission.tree, ray, field);
             for (int n = 0; n < numbers.size; ++n) {
-                const double x = numbers.x[static_cast<std::size_t>(n)];
+                double x = numbers.x[static_cast<std::size_t>(n)];
+                if (scaled) {
+                    x = without_last_digits(field == Field::t ? x / unit : x * unit);
+                }
                 const Spelling spelling = spelling_of(x);
                 significant = std::max(significant, spelling.significant);
                 decimals = std::max(decimals, spelling.decimals);
-                floats = floats && static_cast<double>(static_cast<float>(x)) == x;
+                floats = floats && (scaled || static_cast<double>(static_cast<float>(x)) == x);
             }
         }
     }
@@ -180,6 +192,7 @@ Submission parse_submission(const std::string& text, const std::string& file) {
     submission.ids = std::move(read.ids);
     submission.units = std::move(read.units);
     submission.remarks = std::move(read.warnings);
+    submission.contradictions = std::move(read.contradictions);
     submission.has_camera = read.has_camera;
     submission.has_settings = read.has_settings;
     if (!submission.gives(0, Field::intensity) && !is_zero(submission.tree.intensity)) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/not_numbers.h"
+#include "scene/input_error.h"
 #include "tree/given.h"
 #include "tree/ray_tree.h"
 
@@ -37,7 +38,8 @@ struct Submission {
     bool has_shadow_rays = false;  ///< else their absence says nothing
     bool has_camera = false, has_settings = false;
     std::vector<std::string> remarks;
-    std::vector<NotNumber> not_numbers;  ///< where its numbers are none
+    std::vector<Mistake> contradictions;  ///< levels and counts that are not those of its rays
+    std::vector<NotNumber> not_numbers;   ///< where its numbers are none
     Precision precision;
 
     bool gives(std::size_t ray, Field field) const { return given[ray][place_of(field)]; }

@@ -8,16 +8,21 @@
 namespace raytree::check {
 namespace {
 
-bool near(const Point& a, const Point& b) {
-    return largest_component(a - b) <= 1e-4 * std::max(1.0, largest_component(b));
-}
+/// Whether two numbers, or points, are the same but for the digits of a file.
+struct Near {
+    double close;
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-4 * std::max(1.0, std::abs(b)); }
-
-bool same(const ImagePlane& a, const ImagePlane& b) {
-    return near(a.left, b.left) && near(a.right, b.right) && near(a.bottom, b.bottom) &&
-           near(a.top, b.top);
-}
+    bool operator()(double a, double b) const {
+        return std::abs(a - b) <= close * std::max(1.0, std::abs(b));
+    }
+    bool operator()(const Point& a, const Point& b) const {
+        return largest_component(a - b) <= close * std::max(1.0, largest_component(b));
+    }
+    bool operator()(const ImagePlane& a, const ImagePlane& b) const {
+        return (*this)(a.left, b.left) && (*this)(a.right, b.right) &&
+               (*this)(a.bottom, b.bottom) && (*this)(a.top, b.top);
+    }
+};
 
 /// The window on the plane at distance 1, whichever way the camera gives it.
 ImagePlane window_of(const Camera& camera) {
@@ -31,13 +36,13 @@ ImagePlane window_of(const Camera& camera) {
 }
 
 /// Whether both cameras send the same rays: `up` may have another length, or lean.
-bool same(const Camera& a, const Camera& b) {
+bool same(const Camera& a, const Camera& b, const Near& near) {
     const auto right = [](const Camera& camera) {
         return model::unit(outer(camera.look_at - camera.eye, camera.up));
     };
     return near(a.eye, b.eye) && a.width == b.width && a.height == b.height &&
            near(model::unit(a.look_at - a.eye), model::unit(b.look_at - b.eye)) &&
-           near(right(a), right(b)) && near(a.near, b.near) && same(window_of(a), window_of(b));
+           near(right(a), right(b)) && near(a.near, b.near) && near(window_of(a), window_of(b));
 }
 
 /// A setting that the submission states, other than the scene's. What it leaves out is read as the
@@ -62,6 +67,18 @@ std::string other_setting(const Settings& stated, const Settings& due) {
     const bool reflects = stated.total_internal_reflection != due.total_internal_reflection &&
                           stated.total_internal_reflection != usual.total_internal_reflection;
     return reflects ? "total_internal_reflection" : "";
+}
+
+/// The material of the object of that name, a mesh's triangles ("name#k") too; null where there is
+/// none.
+const Material* material_of(const Scene& scene, const std::string& object) {
+    const std::string name = object.substr(0, object.rfind('#'));
+    for (const Object& each : scene.objects) {
+        if (each.name == object || each.name == name) {
+            return &scene.materials[each.material];
+        }
+    }
+    return nullptr;
 }
 
 /// Whether a ray of this sort has the field at all.
@@ -100,7 +117,8 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
                          std::to_string(camera.width) + " x " + std::to_string(camera.height)));
         return false;
     }
-    if (submission.has_camera && !same(tree.camera, camera)) {
+    const Near near{std::max(1e-4, 4 * submission.precision.relative)};
+    if (submission.has_camera && !same(tree.camera, camera, near)) {
         findings.push_back(
             of_the_whole("camera", "its camera is not that of the scene; is it another scene?"));
     }
@@ -122,6 +140,24 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
             of_the_whole("intensity", "the tree's intensity is not that of its primary ray"));
     }
     return true;
+}
+
+void look_for_contradictions(const Submission& submission, const Scene& scene,
+                             std::vector<Finding>& findings) {
+    for (const Mistake& mistake : submission.contradictions) {
+        findings.push_back(of_the_whole(mistake.place, mistake.text));
+    }
+    for (const TreeRay<double>& ray : submission.tree.rays) {
+        const bool said = ray.hit && !ray.hit->material.empty();
+        const Material* const due = said ? material_of(scene, ray.hit->object) : nullptr;
+        if (due && due->name != ray.hit->material) {
+            findings.push_back(of_the_whole("material", "ray " + submission.ids[ray.id] +
+                                                            " is said to hit " + ray.hit->material +
+                                                            "; " + ray.hit->object + " is of " +
+                                                            due->name));
+            return;
+        }
+    }
 }
 
 void look_for_missing_fields(const Submission& submission, const Given& required,

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+
+#include "scene/utf8.h"
 
 namespace raytree {
 namespace {
@@ -50,10 +51,7 @@ void StyledText::put(Style style, std::string_view text) {
     const std::string_view rendition = renditions[static_cast<std::size_t>(style)];
     const bool coloured = colour_ && !rendition.empty() && !text.empty();
     text_ += coloured ? rendition : "";
-    // A name from a file must not steer the terminal.
-    std::ranges::transform(text, std::back_inserter(text_), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-    });
+    text_ += legible(text);  // a name from a file must not steer the terminal
     text_ += coloured ? "\x1b[0m" : "";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/input_error.h"
 #include "scene/scene.h"
 #include "tree/error_bounds.h"
 #include "tree/given.h"
@@ -38,6 +39,8 @@ struct ReadTree {
     bool has_camera = false;       ///< whether the file gave the camera
     bool has_settings = false;
     std::vector<std::string> warnings;  ///< for people, "file: place: text"
+    /// Where levels and counts that the file gives are not those of its rays.
+    std::vector<Mistake> contradictions;
 };
 
 /// Reads a raytree/1.0 document tolerantly: rays nested or in a list, in any order, with numbers or

@@ -90,6 +90,48 @@ double read_direction(const OptionalMembers& in, Vec3<double>& direction) {
     return unit;
 }
 
+/// A level that is given must be that of the ray's place in the tree, counted from 1 or from 0.
+class LevelCheck {
+  public:
+    void see(const ShapedRay& shaped, JsonReport& report, JsonReport& contradictions) {
+        const OptionalMembers in(*shaped.members, *shaped.place, report);
+        double level = 0;
+        if (!in.number("level", level)) {
+            return;
+        }
+        const bool from_0 = level == shaped.level - 1;
+        first_is_0_ = first_is_0_.value_or(from_0);
+        const int due = shaped.level - (*first_is_0_ ? 1 : 0);
+        if (level != due && contradictions.mistakes.size() < most_mistakes) {
+            contradictions.add(
+                in.reader().place_of("level"),
+                "must be " + std::to_string(due) + ", by the ray's place in the tree");
+        }
+    }
+
+  private:
+    std::optional<bool> first_is_0_;
+};
+
+/// Counts of rays that are given, but for those of shadow rays, which a tree may leave out.
+void check_counts(const OptionalMembers& in, const TreeCounts& due, JsonReport& contradictions) {
+    in.object("counts", [&](const OptionalMembers& counts) {
+        const auto check = [&](std::string_view key, double of_rays) {
+            double given = of_rays;
+            counts.number(key, given);
+            if (given != of_rays) {
+                contradictions.add(counts.reader().place_of(key),
+                                   "is not the number of them in the tree");
+            }
+        };
+        check("reflected", static_cast<double>(due.reflected));
+        check("refracted", static_cast<double>(due.refracted));
+        if (due.shadow > 0) {
+            check("shadow", static_cast<double>(due.shadow));
+        }
+    });
+}
+
 /// One ray; its parent is in `tree` already. `unit` is the length of its direction as given.
 TreeRay<double> read_ray(const ShapedRay& shaped, const RayTree<double>& tree, double& unit,
                          JsonReport& report) {
@@ -281,7 +323,10 @@ ReadTree read_tree_json(const std::string& text, const std::filesystem::path& fi
     const OptionalMembers in(document, top, report);
     read_head(in, file.parent_path(), report, out);
     const TreeShape shape = read_tree_shape(document, report);
+    LevelCheck levels;
+    JsonReport contradictions;
     for (const ShapedRay& shaped : shape.rays) {
+        levels.see(shaped, report, contradictions);
         double unit = 1;
         TreeRay<double> ray = read_ray(shaped, out.tree, unit, report);
         if (ray.parent) {
@@ -297,10 +342,12 @@ ReadTree read_tree_json(const std::string& text, const std::filesystem::path& fi
     in.colour("intensity", out.tree.intensity);
     stop_at_mistakes(report, 1);
     count_rays(out.tree);
+    check_counts(in, out.tree.counts, contradictions);
     recover_coefficients(out.tree);
     check_range(out.tree, shape, report);
     stop_at_mistakes(report, 1);
     out.warnings = std::move(report.warnings);
+    out.contradictions = std::move(contradictions.mistakes);
     return out;
 }
 

@@ -5,7 +5,6 @@
 #include "lesson/feature_work.h"
 #include "trace/render.h"
 #include "trace/self_hits.h"
-#include "trace/shadow_volume.h"
 #include "trace/z_buffer.h"
 #include "tree/crossing_walk.h"
 
@@ -142,15 +141,6 @@ std::string key_of(const Feature& feature, const Show& show, std::size_t ray) {
     return key + said.dump();
 }
 
-/// Only polygons and meshes have edges that a volume's walls can start at.
-void expect_volumes(const StageWorld& world, const std::string& light) {
-    if (shadow_volumes(world.world(), light_named(world.scene(), light)).volumes.empty()) {
-        throw ExpressionError(
-            "nothing in the scene has a shadow volume: it has no polygon and "
-            "no mesh");
-    }
-}
-
 }  // namespace
 
 [[noreturn]] void not_shown(const char* feature, const char* member) {
@@ -193,7 +183,7 @@ void check_features(const StageWorld& world, const Show& show, std::size_t) {
         light_named(world.scene(), show.shower->light);
     }
     if (show.volumes) {
-        expect_volumes(world, show.volumes->light);
+        light_named(world.scene(), show.volumes->light);
     }
     if (show.depth) {
         light_named(world.scene(), show.depth->light);

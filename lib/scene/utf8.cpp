@@ -11,6 +11,18 @@ bool is_control(std::string_view character) {
                                  : character.size() == 2 && byte(0) == 0xC2 && byte(1) < 0xA0;
 }
 
+/// What hides or turns the text around it: spaces of no width, line separators, and the marks that
+/// set the direction of writing (U+200B, U+200E, U+200F, U+2028 to U+202E, U+2060 to U+2069,
+/// U+FEFF).
+bool misleads(std::string_view character) {
+    const auto in = [&](std::string_view from, std::string_view to) {
+        return character.size() == 3 && from <= character && character <= to;
+    };
+    return in("\xE2\x80\x8B", "\xE2\x80\x8B") || in("\xE2\x80\x8E", "\xE2\x80\x8F") ||
+           in("\xE2\x80\xA8", "\xE2\x80\xAE") || in("\xE2\x81\xA0", "\xE2\x81\xA9") ||
+           character == "\xEF\xBB\xBF";
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view text) {
@@ -43,7 +55,8 @@ std::string legible(std::string_view text) {
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
         const std::string_view character = text.substr(0, length);
-        out += length == 0 || is_control(character) ? "\xEF\xBF\xBD" : character;
+        const bool shown = length > 0 && !is_control(character) && !misleads(character);
+        out += shown ? character : "\xEF\xBF\xBD";
         text.remove_prefix(length == 0 ? 1 : length);
     }
     return out;

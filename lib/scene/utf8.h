@@ -11,9 +11,9 @@ namespace raytree {
 /// U+10FFFF).
 std::size_t utf8_length(std::string_view text);
 
-/// `text` as one line that any terminal can show: U+FFFD stands for each control character and for
-/// each byte that is no UTF-8, so that what a file says can neither garble a message nor steer the
-/// terminal.
+/// `text` as one line that any terminal can show: U+FFFD stands for each control character, for
+/// each that hides or turns the text around it, and for each byte that is no UTF-8, so that what a
+/// file says can neither garble a message nor steer the terminal.
 std::string legible(std::string_view text);
 
 }  // namespace raytree

@@ -83,4 +83,32 @@ TEST_CASE("without a profile the best whole one is taken, and what differs is sa
     }
 }
 
+TEST_CASE("one convention of several that a course has does not tell the course") {
+    Scene scene = data_scene("glass-ball");
+    scene.camera.window = ImagePlane{-0.5, 0.5, -0.375, 0.375};
+    const check::Rulebooks books(scene, false);
+    const check::Checker checker(scene, {});
+    const auto by = [&](std::string_view choice) {
+        const check::Rulebook& book =
+            books.of(check::with_choice(check::default_choices(), choice));
+        RayTree<double> tree = check::forge_tree(book.place, book.laws, 210, 286);
+        tree.camera = scene.camera;
+        tree.settings = scene.settings;
+        return check_tree(checker, tree);
+    };
+    // The course that has it has a vertical angle of view too, which nothing here shows.
+    const check::Report edges = by("sample=edges");
+    CHECK(edges.verdict == check::Verdict::fail);
+    CHECK(edges.profile == "lecture");
+    REQUIRE(edges.mistakes.size() == 1);
+    CHECK(edges.mistakes.front().id == "cam.wminus1");
+    REQUIRE(edges.conventions.size() == 1);
+    CHECK(edges.conventions.front()->value == "edges");
+    REQUIRE_FALSE(edges.remarks.empty());
+    CHECK(edges.remarks.back().find("--profile weekend") != std::string::npos);
+    // All that the profile of corners has.
+    CHECK(by("sample=corner").profile == "corner");
+    CHECK(by("sample=corner").verdict == check::Verdict::pass);
+}
+
 }  // namespace raytree::test

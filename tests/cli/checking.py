@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import unicodedata
 import xml.dom.minidom
 
 PIXEL = "16,12"
@@ -162,6 +163,26 @@ def reports(bench):
                  "r.txt")
 
 
+def odd_texts(bench):
+    """What a submission says cannot steer what shows the report: a terminal, a spreadsheet."""
+    document = tree(bench)
+    document["rays"][0]["hit"]["object"] = '=1+1\x9b31m\u202e<b>|"\r\n'
+    bench.write("=odd.json", json.dumps(document))
+    (bench.folder / "wide.json").write_bytes(json.dumps(document).encode("utf-16"))
+    for form in ("text", "json", "csv", "junit", "gradescope"):
+        out = bench.run(f"check =odd.json wide.json --scene scene.json --as {form}").stdout.decode()
+        odd = {c for c in out if c != "\n" and unicodedata.category(c) in ("Cc", "Cf", "Zl", "Zp")}
+        bench.check(f"only text in {form}", len(out) > 100 and not odd, odd)
+        if form in ("json", "gradescope"):
+            json.loads(out)
+        elif form == "junit":
+            xml.dom.minidom.parseString(out)
+        elif form == "csv":
+            rows = list(csv.reader(out.splitlines()))
+            bench.check("no formulas in csv", len(rows) == 3 and not any(
+                cell[:1] in tuple("=+-@") for row in rows for cell in row if cell), rows)
+
+
 def rays_text(rays):
     return '{"format": "raytree/1.0", "pixel": [16, 12], "rays": [' + ",".join(rays) + "]}"
 
@@ -225,6 +246,7 @@ def hostile(bench):
 def checking(bench):
     inputs(bench)
     hostile(bench)
+    odd_texts(bench)
     for name, command, code, out in CASES:
         bench.expect(name, "check " + command, code, out, "")
     for name, command, err in MISUSE:

@@ -1,5 +1,6 @@
 """Homework for a class: archives, reports that are merged, rubrics, pictures, assignments."""
 
+import gzip
 import io
 import json
 import os
@@ -62,7 +63,6 @@ def forged_size(bench, name, size):
     """A tar whose entry says that it is 100 GB large, packed, and whose bytes are not there."""
     entry = tarfile.TarInfo("huge.json")
     entry.size = size
-    import gzip
     data = entry.tobuf(format=tarfile.GNU_FORMAT) + b" " * 100_000
     (bench.folder / name).write_bytes(gzip.compress(data))
 
@@ -80,6 +80,7 @@ def verdicts(report):
 
 def archives(bench, right, dark):
     zipped(bench, "class.zip", {"b/dark.json": dark, "a/right.json": right, "notes.txt": "x",
+                                "__MACOSX/a/._right.json": "Mac", "a/.right.json": "{",
                                 "../out.json": right})
     tarred(bench, "class.tar.gz", {"right.json": right, "link.json": None, "/abs.json": right})
     tarred(bench, "class.tar", {"right.json": right}, "w")
@@ -93,12 +94,18 @@ def archives(bench, right, dark):
         "class.tar.gz/right.json": "pass"})
     bench.check("tar", verdicts(report_of(bench, "class.tar --scene scene.json", 0)) == {
         "class.tar/right.json": "pass"})
+    zipped(bench, "notes.zip", {"notes.txt": "x"})
+    (bench.folder / "zeros.tar.gz").write_bytes(gzip.compress(bytes(1 << 20)))
+    for name in ("notes.zip", "zeros.tar.gz"):
+        bench.expect(name, f"check {name} --scene scene.json", 1, r"unreadable\n.*has no trees", "")
     for name in ("cut.zip", "none.tar.gz"):
         bench.expect(name, f"check {name} --scene scene.json", 1, r"unreadable", "")
     bomb(bench, "bomb.tar.gz", 200 << 20)
     forged_size(bench, "forged.tar.gz", 100 << 30)
+    zipped(bench, "wide.zip", {f"{k}.json": " " * (15 << 20) for k in range(40)})
     zipped(bench, "many.zip", {f"{k}.txt": "" for k in range(20_100)})
-    for name, words in (("bomb.tar.gz", "200 MB large"), ("forged.tar.gz", "unpacks to more"),
+    for name, words in (("bomb.tar.gz", "unpacks to more"), ("wide.zip", "unpacks to more"),
+                        ("forged.tar.gz", "unpacks to more"),
                         ("many.zip", "more than 20000 entries")):
         started = time.monotonic()
         bench.expect(name, f"check {name} --scene scene.json", 1, rf"(?s)unreadable.*{words}", "")

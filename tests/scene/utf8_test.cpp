@@ -19,6 +19,9 @@ TEST_CASE("what a message quotes from a file is UTF-8 without control characters
           "31m");                                            // U+009B is another form of ESC [
     CHECK(legible("\xED\xA0\x80") == "\uFFFD\uFFFD\uFFFD");  // a surrogate
     CHECK(legible("end \xE2\x82") == "end \uFFFD\uFFFD");
+    CHECK(legible("end.\u202Egnp") == "end.\uFFFDgnp");  // what follows would be read backwards
+    CHECK(legible("a\u2028b\u200B\uFEFFc") == "a\uFFFDb\uFFFD\uFFFDc");
+    CHECK(legible("\u0646\u200C\u0647") == "\u0646\u200C\u0647");  // joins letters, is no trick
     CHECK(legible("").empty());
 }
 

@@ -268,6 +268,13 @@ def closest_then(name, change):
     planted.append((name, plant))
 
 
+def whole_number(s, ray, t, thing, shape):
+    s.beside.add(along(ray.origin, ray.direction, float(int(t))))
+    return float(int(t)), thing, shape
+
+
+closest_then("isect.t_int", whole_number)
+# In a program that knows which surface a ray leaves, and does not look for it again.
 closest_then("isect.t_int", lambda s, ray, t, thing, shape: (float(int(t)), thing, shape))
 
 

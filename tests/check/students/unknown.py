@@ -35,10 +35,6 @@ of("fov_tenth_more", known.film_by, known.zoomed(lambda half: math.tan(1.1 * hal
 of("fov_sine", known.film_by, known.zoomed(math.sin))
 of("column_off_by_one", known.film_by, lambda s, i, j: known.book_film(s, i + 1, j))
 of("quarter_pixel", known.film_by, lambda s, i, j: known.book_film(s, i + 0.25, j + 0.25))
-of("aspect_whole", known.film_by, lambda s, i, j: (
-    known.book_film(s, i, j)[0],
-    known.book_film(s, i, j)[1] * s.camera.width / s.camera.height
-    / max(1, s.camera.width // s.camera.height)))
 
 
 # Intersection, points and normals
