@@ -121,7 +121,6 @@ Overlay OverlayRender::measured(Measure measure) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     const RenderOptions options{std::max(1, cores - 1), [this](double share) {
                                     share_ = share;
-                                    lower_own_priority();
                                     if (window_) {
                                         window_->give();
                                     }
@@ -141,7 +140,6 @@ Overlay OverlayRender::compared(const lesson::DepthShown& depth) const {
 }
 
 void OverlayRender::run() {
-    lower_own_priority();
     try {
         const Measure* const measure = std::get_if<Measure>(&of_);
         auto overlay = std::make_shared<const Overlay>(

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
 #include <array>
@@ -42,16 +41,6 @@ std::optional<Rgb<double>> traced(const World<double>& world, int i, int j) {
         return std::nullopt;
     }
 }
-
-/// Whoever works in the arena does so at a lower priority.
-class PolitelyWorking : public tbb::task_scheduler_observer {
-  public:
-    explicit PolitelyWorking(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-        observe(true);
-    }
-    ~PolitelyWorking() override { observe(false); }
-    void on_scheduler_entry(bool) override { lower_own_priority(); }
-};
 
 }  // namespace
 
@@ -114,7 +103,6 @@ void PictureRender::run() {
     // One core is left to the window.
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     tbb::task_arena arena(std::max(1, cores - 1));
-    const PolitelyWorking polite(arena);
     arena.execute([this] { render(); });
     done_ = !cancelled_;
     ++version_;

@@ -30,8 +30,4 @@ class RightOfWay {
     std::atomic<std::chrono::steady_clock::time_point> since_{};
 };
 
-/// Leaves the processor to other threads where they want it. Linux alone knows this of a single
-/// thread; elsewhere it does nothing.
-void lower_own_priority();
-
 }  // namespace raytree::inspector
