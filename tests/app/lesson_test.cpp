@@ -113,6 +113,16 @@ TEST_CASE("app lessons: a value that is tried shows in the scene, and is judged 
     CHECK(at.state.document() == before);
 }
 
+TEST_CASE("app lessons: the ray that is looked at stays selected while a value is tried") {
+    AtStep at("4");
+    at.state.select(1);
+    REQUIRE(at.state.selected()->kind == RayKind::shadow);
+    at.state.try_value(1.5);
+    CHECK(at.state.selected()->kind == RayKind::shadow);
+    run_command(at.state, "lesson.answer", "2");
+    CHECK(at.state.selected()->kind == RayKind::shadow);
+}
+
 TEST_CASE("app lessons: choices are letters; a step's change is in its scene") {
     AtStep at("5");
     CHECK(at.state.document()->scene().objects.size() == 1);

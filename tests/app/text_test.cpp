@@ -65,6 +65,9 @@ TEST_CASE("app: numbers in a column have the same decimals") {
     CHECK(aligned(std::array{1e-9}) == std::vector<std::string>{"1.00e-09"});
     CHECK(aligned(std::array{1.5e9}) == std::vector<std::string>{"1.50e+09"});
     CHECK(rgb_text({0.5, 1, 2.25}) == "0.500  1.000  2.250");
+    CHECK(aligned(Vec3<double>(-1e-17, 1, -0.0)) ==
+          std::vector<std::string>{"0.00000", "1.00000", "0"});
+    CHECK(rgb_text({-1e-17, 0.5, -0.25}) == "0.000  0.500  -0.250");
     CHECK(grouped(1234567) == "1,234,567");
     CHECK(grouped(12) == "12");
 }

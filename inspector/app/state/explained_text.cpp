@@ -27,8 +27,10 @@ Section shower_section(const State& state, const LightShower& sent) {
                     {{"followed in all, with what surfaces pass on", count_text(sent.segments)}},
                     {{"come to the eye", count_text(sent.reach_eye)}, true},
                     {{"of these through the picture", count_text(sent.in_picture)}, true}};
-    section.sentences = {"As the eye counts a ball of radius " + number_text(shown.eye_radius) +
-                         " around it: light would hardly ever meet a point."};
+    section.sentences = {
+        "Light would hardly ever meet a single point, so a ray comes to the eye if "
+        "it meets a ball of radius " +
+        number_text(shown.eye_radius) + " around it."};
     section.links = {{"more rays", "explain.finer"}, {"fewer rays", "explain.coarser"}};
     return section;
 }
@@ -114,6 +116,10 @@ Section volumes_section(const State& state, const Explanation& all) {
         section.rows.push_back(
             {{number_text(crossing.t), object + (crossing.enters ? ": in, + 1" : ": out, − 1"),
               std::to_string(counts[k])}});
+    }
+    if (!state.selected() || !state.selected()->hit) {
+        section.sentences.push_back("The ray meets nothing that could be lit or in shadow.");
+        return section;
     }
     section.rows.push_back({{"", "at the ray's hit", std::to_string(count.end)}, true});
     section.sentences.push_back(count.end > 0 ? "More than 0: in shadow." : "0: lit.");

@@ -10,10 +10,13 @@
 namespace raytree::inspector {
 namespace {
 
+/// Without the sign of what is rounded to zero.
 std::string printed(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer;
     const auto end = std::to_chars(buffer.begin(), buffer.end(), value, format, precision).ptr;
-    return {buffer.data(), end};
+    const std::string text(buffer.data(), end);
+    const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+    return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
 }  // namespace

@@ -235,11 +235,17 @@ void State::try_value(double value) {
 
 double State::value_tried() const { return tried_.value_or(lesson_->value_shown()); }
 
-/// Another document in the place of this one, seen in the same way.
+/// Another document in the place of this one, seen in the same way: the same ray stays selected.
 void State::exchange(std::shared_ptr<const Document> document) {
+    const std::size_t ray = selected_;
+    const auto before = tree_;
     edits_.begin(values_of(document->scene()));
     install({std::move(document), std::nullopt, nullptr, true});
     poll(patience);
+    if (before && tree_ && ray < tree_->tree.rays.size() &&
+        tree_->tree.rays[ray].kind == before->tree.rays[ray].kind) {
+        select(ray);
+    }
 }
 
 void State::explain(const std::function<void(Explained&)>& change) {

@@ -75,6 +75,7 @@ void ScenePane::obey(const Changes& changes) {
         view.eye = changes.view_from->eye;
         view.target = changes.view_from->target;
         view.up = changes.view_from->up;
+        view.fov_degrees = View{}.fov_degrees;  // whatever was looked through before
         standing_.reset();
         change_view(view);
     }
