@@ -38,15 +38,24 @@ template <class T> T meet_plane(const TriangleShape<T>& triangle, const Ray<T>& 
     return speed == 0 ? T(0) : min_of(max_of(distance / speed, nearest), farthest);
 }
 
+/// Whether points are on both sides of 0, up to the rounding of their places.
+template <class T> bool reach_across_zero(const std::array<T, 3>& p) {
+    const T low = min_of(p[0], min_of(p[1], p[2]));
+    const T high = max_of(p[0], max_of(p[1], p[2]));
+    const T error = 4 * Real<T>::unit_roundoff * max_of(abs(low), abs(high));
+    return low <= error && high >= -error;
+}
+
 /// Whether the origin of a plane is in the triangle of the points (px, py), edges and vertices
-/// included.
+/// included. Of points that are all but one, seen from so far away, the edge functions' signs are
+/// noise, and only their places tell that they are elsewhere.
 template <class T> bool encloses_origin(const std::array<T, 3>& px, const std::array<T, 3>& py) {
     const T e0 = px[2] * py[1] - py[2] * px[1];
     const T e1 = px[0] * py[2] - py[0] * px[2];
     const T e2 = px[1] * py[0] - py[1] * px[0];
     const bool negative = e0 < 0 || e1 < 0 || e2 < 0;
     const bool positive = e0 > 0 || e1 > 0 || e2 > 0;
-    return negative != positive;
+    return negative != positive && reach_across_zero(px) && reach_across_zero(py);
 }
 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:

@@ -155,6 +155,24 @@ TEST_CASE("triangle: no ray passes between neighbours of a fan, however thin") {
     }
 }
 
+TEST_CASE("triangle: so far away that its corners are all but one, it is not met far beside it") {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto any = [&] { return V(uniform(random), uniform(random), uniform(random)); };
+    for (int k = 0; k < 2000; ++k) {
+        const V middle = 1e6 * any();
+        const TriangleShape<double> small{{middle + 0.1 * any(), middle + 0.1 * any(), middle}};
+        const V eye = 1e15 * any();
+        const V past = middle + 1e14 * any();
+        const Ray<double> ray{eye, UnitVec3<double>::of(past - eye).vec(), 0};
+        const V way = middle - eye;
+        const double beside = length(outer<double>(ray.direction, way));
+        if (beside > 1e12) {
+            CHECK(intersect(small, ray, Start::anywhere).count == 0);
+        }
+    }
+}
+
 TEST_CASE("polygon: seen from anywhere, a point of a shared edge is in exactly one of two") {
     // In a slanted plane the two polygons compute their planes, and so t, differently.
     std::mt19937_64 random(11);
