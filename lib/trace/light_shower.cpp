@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/progress.h"
 #include "trace/eye_space.h"
 #include "trace/shading.h"
 
@@ -63,7 +64,9 @@ class Shower {
 
     LightShower send() {
         result_.rays = options_.rays;
+        ProgressCounter progress("following light");
         for (std::size_t k = 0; k < options_.rays; ++k) {
+            progress.at(k, options_.rays);
             follow(k);
         }
         return std::move(result_);

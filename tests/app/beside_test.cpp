@@ -109,5 +109,18 @@ TEST_CASE("app: error bounds stand beside the numbers when they are asked for") 
     CHECK(!state.tree()->bounds);
 }
 
+TEST_CASE("app: a bound far below the rounding of the intensity is not shown") {
+    State state = shown_scene();
+    run(state, "show.bounds");
+    PixelTree tree = *state.tree();
+    std::vector<RayBounds> bounds = *tree.bounds;
+    bounds[0].specular = Rgb<double>(4e-151);
+    bounds[0].diffuse = Rgb<double>(1e-3);
+    tree.bounds = std::make_shared<const std::vector<RayBounds>>(bounds);
+    const auto sections = known_details(tree, 0, state.playback());
+    CHECK(bounds_below(sections, "+ specular").empty());
+    CHECK(bounds_below(sections, "+ diffuse").size() == 3);
+}
+
 }  // namespace
 }  // namespace raytree::inspector

@@ -341,6 +341,31 @@ TEST_CASE("app: all shapes of a scene are drawn, and drawing order only sorts th
     CHECK(sorted == all);
 }
 
+TEST_CASE("app: of balls a few pixels large only the side towards the eye is drawn") {
+    Scene scene = test::glass_ball_scene();
+    scene.objects.push_back({"dot", 1, {}, Sphere{{2, 1, 0}, 0.002}});
+    const auto document = test::document_of(scene);
+    const Extent extent = extent_of(*document);
+    const SceneMesh mesh = scene_mesh(*document, extent, 0.002 * extent.diagonal);
+    const ObjectFaces& dot = mesh.objects.back();
+    REQUIRE(dot.tiny);
+    CHECK(std::ranges::count(mesh.objects, true, &ObjectFaces::tiny) == 1);
+    const Point3 eye(0, 3, 9);
+    const auto triangles = triangles_of(mesh, std::vector{mesh.objects.size() - 1}, eye);
+    CHECK(triangles.size() > 0);
+    CHECK(triangles.size() < 3 * dot.count);
+    const Point3 middle(2, 1, 0);
+    for (std::size_t k = 0; k < triangles.size(); k += 3) {
+        Point3 out(0, 0, 0);  // from the ball's middle to that of the triangle, three times
+        for (const std::size_t corner : {k, k + 1, k + 2}) {
+            const auto at = 3 * static_cast<std::size_t>(triangles[corner]);
+            const auto& p = mesh.faces.points;
+            out += Point3(p[at], p[at + 1], p[at + 2]) - middle;
+        }
+        CHECK(glm::dot(out, eye - middle) > -1e-5);
+    }
+}
+
 TEST_CASE("app: landmarks are there for all lights, with far ones drawn in") {
     Traced t = traced();
     const Extent extent = t.extent;

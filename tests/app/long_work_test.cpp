@@ -12,7 +12,9 @@
 #include "app/sample_lessons.h"
 #include "app/scenes.h"
 #include "lesson/lesson_folder.h"
+#include "scene/progress.h"
 #include "state/commands.h"
+#include "trace/light_shower.h"
 
 namespace raytree::inspector {
 namespace {
@@ -135,6 +137,15 @@ TEST_CASE("app: what older work throws is dropped with its answer") {
     }
     work.ask([](const std::stop_token&) { return 3; });
     CHECK(work.take(10s) == 3);
+}
+
+TEST_CASE("app: a shower of light ends once it is told to") {
+    const auto document = test::document_of(test::glass_ball_scene());
+    ShowerOptions options;
+    options.rays = 20'000;
+    const ProgressListener until_stopped(
+        [](std::string_view, double share) { share > 0.3 ? throw Stopped() : void(); });
+    CHECK_THROWS_AS(shower(document->world(), 0, options), Stopped);
 }
 
 }  // namespace

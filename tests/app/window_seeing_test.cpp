@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QTreeWidget>
 #include <QUrl>
+#include <cmath>
 #include <numeric>
 
 #include "app/scenes.h"
@@ -69,6 +70,25 @@ class WindowSeeingTest : public test::ShownWindow {
             }
         }
         return count;
+    }
+
+    /// Whether the colour of what is selected is to be seen within 9 pixels of a place.
+    static bool selection_is_seen(const QImage& image, QPointF at) {
+        const double ratio = image.devicePixelRatio();
+        const QColor ink(0xD6, 0x33, 0x6C);
+        const int reach = static_cast<int>(9 * ratio);
+        const QPoint middle = (at * ratio).toPoint();
+        for (int y = middle.y() - reach; y <= middle.y() + reach; ++y) {
+            for (int x = middle.x() - reach; x <= middle.x() + reach; ++x) {
+                const QColor c = image.valid(x, y) ? image.pixelColor(x, y) : QColor(Qt::black);
+                if (std::abs(c.red() - ink.red()) + std::abs(c.green() - ink.green()) +
+                        std::abs(c.blue() - ink.blue()) <
+                    60) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
   private Q_SLOTS:
@@ -266,6 +286,38 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY2(compared > 100, std::to_string(compared).c_str());
         // But where a ray or a line of the frustum crosses it.
         QVERIFY2(uneven < compared / 10, std::to_string(uneven).c_str());
+    }
+
+    /// On screens of any number of pixels (run with QT_SCALE_FACTOR=2 as well).
+    void a_ray_is_drawn_where_a_click_chooses_it() {
+        ScenePane& pane = window_->scene_pane();
+        run_command(state_, "show.names");
+        QTRY_VERIFY(pane.keeps());
+        int chosen = 0;
+        for (const RayPath& path : std::vector<RayPath>(pane.paths())) {
+            const auto ends = on_screen(path, pane.view());
+            if (!ends ||
+                std::hypot(ends->first.x - ends->second.x, ends->first.y - ends->second.y) < 60) {
+                continue;
+            }
+            const QPointF middle(0.5 * (ends->first.x + ends->second.x),
+                                 0.5 * (ends->first.y + ends->second.y));
+            state_.select(std::nullopt);
+            QTest::mouseClick(canvas(), Qt::LeftButton, {}, middle.toPoint());
+            if (state_.thing()) {
+                continue;  // a light stands before it
+            }
+            const auto near = path_at(pane.paths(), pane.view(), middle.x(), middle.y(), 9);
+            QVERIFY(near && pane.paths()[*near].ray == state_.selected()->id);
+            const QImage image = pane.grab().toImage();
+            QVERIFY2(selection_is_seen(image, middle), qPrintable(QStringLiteral("ray %1 at %2, %3")
+                                                                      .arg(state_.selected()->id)
+                                                                      .arg(middle.x())
+                                                                      .arg(middle.y())));
+            ++chosen;
+        }
+        run_command(state_, "show.names");
+        QVERIFY(chosen > 1);
     }
 
     void the_3d_view_is_drawn_at_any_size() {

@@ -19,6 +19,7 @@ namespace {
 constexpr double triangle_budget = 120'000;
 constexpr double mesh_budget = 40'000;  // triangles of all meshes, which have no fewer from afar
 constexpr double most_slices = 90;      // of a round shape
+constexpr int tiny_slices = 6;          // of a ball that is a few pixels large
 
 /// See SceneMesh. `firmness` from 0 to 1.
 std::uint8_t alpha_of(double firmness, bool flat) {
@@ -77,15 +78,19 @@ class Builder {
         }
         const Coat coat = coat_of(scene_.materials[object.material]);
         const bool flat = std::holds_alternative<Polygon>(object.shape);
-        firmness_ = coat.firmness;
+        const int slices = slices_of(object);
+        const bool tiny = std::holds_alternative<Sphere>(object.shape) && slices <= tiny_slices;
+        // One side is as firm as both of them behind each other.
+        firmness_ = tiny ? 1 - std::pow(1 - coat.firmness, 2) : coat.firmness;
         paint_ = {coat.ink, alpha_of(firmness_, flat)};
         line_ = {mixed(paint_.ink, Ink(0x5A6673), 0.55), 150};
         ObjectFaces faces;
+        faces.tiny = tiny;
         faces.object = static_cast<std::size_t>(&object - scene_.objects.data());
         faces.first = mesh_.faces.triangle_count();
         faces.first_wire = mesh_.wires.segments.size() / 2;
         const std::size_t first_point = mesh_.faces.points.size();
-        std::visit([&](const auto& shape) { add_shape(shape, slices_of(object)); }, object.shape);
+        std::visit([&](const auto& shape) { add_shape(shape, slices); }, object.shape);
         faces.count = mesh_.faces.triangle_count() - faces.first;
         faces.wires = mesh_.wires.segments.size() / 2 - faces.first_wire;
         if (faces.count == 0) {

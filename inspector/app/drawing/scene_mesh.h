@@ -21,6 +21,7 @@ struct ObjectFaces {
     Point3 centre{0, 0, 0};
     double radius = 0;       ///< of a ball around the centre that holds it
     bool flat = false;       ///< a polygon that is large beside the rest
+    bool tiny = false;       ///< so few pixels large that its far side is not drawn
     Point3 normal{0, 0, 0};  ///< of a flat one
 };
 
@@ -47,7 +48,8 @@ double mesh_pixel(const Extent& extent, const View& view);
 std::vector<std::size_t> drawing_order(const SceneMesh& mesh, const Extent& extent,
                                        const Point3& eye);
 
-/// The triangles of these objects, in this order; of each, those that face the eye last.
+/// The triangles of these objects, in this order; of each, those that face the eye last, of a tiny
+/// one alone.
 std::vector<std::int32_t> triangles_of(const SceneMesh& mesh, std::span<const std::size_t> objects,
                                        const Point3& eye);
 

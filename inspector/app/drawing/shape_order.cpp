@@ -13,17 +13,31 @@ bool is_behind_the_rest(const ObjectFaces& object, const Point3& middle, const P
            0;
 }
 
+Point3 triple(const std::vector<float>& list, std::int32_t place) {
+    const float* const first = &list[3 * static_cast<std::size_t>(place)];
+    return {first[0], first[1], first[2]};
+}
+
+/// Whether a triangle is turned away from the eye: at its first corner, of tiny shapes as a whole.
+bool is_away(const Mesh& mesh, const std::int32_t* corners, const Point3& eye, bool tiny) {
+    Point3 normal = triple(mesh.normals, corners[0]);
+    if (tiny) {
+        normal += triple(mesh.normals, corners[1]) + triple(mesh.normals, corners[2]);
+    }
+    return glm::dot(eye - triple(mesh.points, corners[0]), normal) < 0;
+}
+
 /// Those that are turned away from the eye first: seen through a round shape's front is its back.
 void add_triangles(const SceneMesh& mesh, const ObjectFaces& object, const Point3& eye,
                    std::vector<std::int32_t>& out) {
-    const auto& [points, normals, colours, triangles] = mesh.faces;
+    const std::vector<std::int32_t>& triangles = mesh.faces.triangles;
     std::vector<std::int32_t> towards;
     for (std::size_t k = 3 * object.first; k < 3 * (object.first + object.count); k += 3) {
-        const auto at = 3 * static_cast<std::size_t>(triangles[k]);
-        const Point3 to(eye.x - points[at], eye.y - points[at + 1], eye.z - points[at + 2]);
-        const Point3 normal(normals[at], normals[at + 1], normals[at + 2]);
-        auto& list = glm::dot(to, normal) < 0 ? out : towards;
-        list.insert(list.end(), {triangles[k], triangles[k + 1], triangles[k + 2]});
+        const bool away = is_away(mesh.faces, &triangles[k], eye, object.tiny);
+        if (!away || !object.tiny) {
+            auto& list = away ? out : towards;
+            list.insert(list.end(), {triangles[k], triangles[k + 1], triangles[k + 2]});
+        }
     }
     out.insert(out.end(), towards.begin(), towards.end());
 }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "state/numbers.h"
+#include "tree/explain.h"
 
 namespace raytree::inspector {
 namespace {
@@ -40,13 +41,13 @@ std::optional<DetailRow> row_below(const std::string& label, const TreeRay<doubl
         return bound_row(bounds.hit.normal);
     }
     if (label == "ambient" && ray.hit) {
-        return bound_row(bounds.ambient);
+        return bound_row(noticed(bounds.ambient, ray.intensity));
     }
     if (label == "+ diffuse" || label == "diffuse") {
-        return bound_row(bounds.diffuse);
+        return bound_row(noticed(bounds.diffuse, ray.intensity));
     }
     if (label == "+ specular") {
-        return bound_row(bounds.specular);
+        return bound_row(noticed(bounds.specular, ray.intensity));
     }
     if (label == "weight") {
         return bound_row(bounds.weight);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <new>
 
+#include "scene/progress.h"
 #include "trace/ray_list.h"
 
 namespace raytree::inspector {
@@ -167,6 +168,11 @@ void Explainer::ask(ExplanationAsked asked) {
     work_.ask([to = working_ ? asked_ : ExplanationAsked{}, done_of = done_of_,
                done = done_](const std::stop_token& stop) {
         Explanation all;
+        const ProgressListener until_stopped([&stop](std::string_view, double) {
+            if (stop.stop_requested()) {
+                throw Stopped();
+            }
+        });
         try {
             if (to.document) {
                 take_scene(to, {done_of, done}, all);

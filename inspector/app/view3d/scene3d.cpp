@@ -5,7 +5,6 @@
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -15,9 +14,13 @@
 #include <vtkShaderProperty.h>
 #include <vtkTexture.h>
 
+#include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
+#include <utility>
 
 #include "view3d/part.h"
+#include "view3d/picture_image.h"
 #include "view3d/shape_shader.h"
 #include "view3d/standing_renderer.h"
 
@@ -59,6 +62,10 @@ struct Scene3d::Parts {
     Part explained_faces, explained_lines, explained;
     Palette palette;
     std::array<double, 2> depths = {0, 0};  ///< of the camera's clipping planes
+    int columns = 0, rows = 0;              ///< of the picture
+    std::vector<std::uint32_t> pixels;
+    std::array<Point3, 4> corners;
+    int thinned = 0;  ///< by how much the picture on the texture is; 0 where it is another one
 
     void set_shading() {
         // Rays keep close to the colours of the legend; shapes are modelled by light.
@@ -111,6 +118,26 @@ struct Scene3d::Parts {
         actor->SetVisibility(shapes.actor->GetVisibility() && (!some || !some->triangles.empty()));
     }
 
+    /// The picture from afar has about as many pixels as the screen gives it. OpenGL's mipmaps
+    /// would do so too, but software OpenGL takes 50 ms to compile what makes them.
+    void thin_picture(const View& view) {
+        if (pixels.empty()) {
+            return;
+        }
+        const double pixel = glm::length(corners[1] - corners[0]) / columns;
+        const double seen = length_per_pixel(view, (corners[0] + corners[2]) * 0.5) / pixel;
+        int by = 1;
+        while (2 * by <= std::min({seen, columns / 4.0, rows / 4.0})) {
+            by *= 2;
+        }
+        if (std::exchange(thinned, by) != by) {
+            const auto image = image_of(columns, rows, pixels, by);
+            smooth->SetInputData(image);
+            squares->SetInputData(image);
+            renderer->forget();
+        }
+    }
+
     void set_shape_shader(ShapeStyle style) {
         vtkShaderProperty* const shader = shapes.actor->GetShaderProperty();
         shader->ClearAllFragmentShaderReplacements();
@@ -149,7 +176,6 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     // Only the inner side of the halo is drawn: it shows around what it envelops, not over it.
     p.halo.actor->GetProperty()->FrontfaceCullingOn();
     p.smooth->InterpolateOn();
-    p.smooth->MipmapOn();
     p.picture.actor->GetProperty()->SetOpacity(0.85);  // rays behind it do not get lost
 }
 
@@ -210,21 +236,14 @@ void Scene3d::set_angles(const AngleDrawing& angles) {
 }
 
 void Scene3d::set_picture(int width, int height, const std::vector<std::uint32_t>& colours) {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(width, height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    auto* byte = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (const std::uint32_t colour : colours) {
-        *byte++ = static_cast<unsigned char>(colour >> 16);
-        *byte++ = static_cast<unsigned char>(colour >> 8);
-        *byte++ = static_cast<unsigned char>(colour);
-    }
-    parts_->smooth->SetInputData(image);
-    parts_->squares->SetInputData(image);
-    parts_->renderer->forget();
+    parts_->columns = width;
+    parts_->rows = height;
+    parts_->pixels = colours;
+    parts_->thinned = 0;
 }
 
 void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squares, bool shown) {
+    parts_->corners = corners;
     parts_->picture.actor->SetTexture(squares ? parts_->squares : parts_->smooth);
     vtkNew<vtkPoints> points;
     for (const Point3& corner : corners) {
@@ -235,7 +254,7 @@ void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squar
     data->SetPolys(cells_of({0, 1, 2, 3}, 4));
     data->GetPointData()->SetTCoords(
         array_of<vtkFloatArray>(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 2));
-    parts_->picture.actor->SetVisibility(shown && parts_->squares->GetInput());
+    parts_->picture.actor->SetVisibility(shown && !parts_->pixels.empty());
     parts_->renderer->forget();
 }
 
@@ -249,6 +268,7 @@ void Scene3d::set_view(const View& view) {
     camera->SetViewUp(up.x, up.y, up.z);
     camera->SetViewAngle(view.fov_degrees);
     p.choose_depths(camera->GetMTime() == before);
+    p.thin_picture(view);
 }
 
 void Scene3d::keep() { parts_->renderer->keep(); }

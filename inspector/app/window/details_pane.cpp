@@ -36,9 +36,10 @@ QString unbroken(const std::string& sentence) {
     return text;
 }
 
-/// Long names may go on below.
+/// Names that are longer than a column is wide may go on below.
 QString breakable(QString name) {
-    return name.replace(QLatin1Char('_'), QStringLiteral("_&#8203;"));
+    constexpr int room = 14;  // letters
+    return name.size() <= room ? name : name.replace(QLatin1Char('_'), QStringLiteral("_&#8203;"));
 }
 
 /// Details as rich text for Qt's subset of HTML.

@@ -1,6 +1,7 @@
 #include "window/explained_pane.h"
 
 #include <QScrollBar>
+#include <cmath>
 
 #include "state/commands.h"
 #include "state/explained_text.h"
@@ -89,9 +90,14 @@ void ExplainedPane::renew() {
                 .arg(qt(palette.dim_text).name()));
         return;
     }
-    // Beside each other where there is room, else below each other.
+    // Beside each other where there is room, else below each other; pictures take what is left.
+    picture_room_ = viewport()->width();
     setHtml(html_of(sections, false));
     if (document()->idealWidth() > viewport()->width()) {
+        setHtml(html_of(sections, true));
+    }
+    if (const double over = document()->idealWidth() - viewport()->width(); over > 0) {
+        picture_room_ -= static_cast<int>(std::ceil(over));
         setHtml(html_of(sections, true));
     }
     if (state_.explained().traversal) {
@@ -126,7 +132,7 @@ QString ExplainedPane::html_of(const std::vector<ExplainedSection>& sections, bo
 QImage ExplainedPane::picture_of(ExplainedSection::Picture picture) const {
     constexpr int least = 150, most = 420, margins = 48, numbers = 330;
     const int height = std::clamp(viewport()->height() - margins, least, most);
-    const int width = std::clamp(viewport()->width() - numbers, 2 * least, 2 * most);
+    const int width = std::clamp(picture_room_ - numbers, least, 2 * most);
     const Palette& palette = palette_of(state_.look().theme);
     switch (picture) {
         case ExplainedSection::Picture::time:

@@ -24,7 +24,8 @@ class ExplainedPane : public QTextBrowser {
     QImage picture_of(ExplainedSection::Picture picture) const;
 
     State& state_;
-    QSize shown_size_;  ///< for which the text has been laid out
+    int picture_room_ = 0;  ///< for a picture and its numbers
+    QSize shown_size_;      ///< for which the text has been laid out
 };
 
 }  // namespace raytree::inspector

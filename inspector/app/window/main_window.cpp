@@ -77,25 +77,6 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
 
-/// The lesson's pane, and a frame around the one that its step talks about.
-void MainWindow::show_lesson() {
-    const bool shown = state_.lesson_side() != LessonSide::hidden;
-    const bool overlaid = state_.look().overlay || state_.look().depth_overlay;
-    const bool other_needs = shown && overlaid != std::exchange(overlaid_, overlaid);
-    if (lesson_dock_->isVisibleTo(this) != shown || other_needs) {
-        lesson_dock_->setVisible(shown);
-        share_room();
-    }
-    QWidget* const panes[] = {picture_,   scene_,   tree_dock_, tree_dock_,
-                              tree_dock_, details_, tree_dock_};
-    const LessonRun* const lesson = state_.lesson();
-    const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
-                           ? lesson->here().show.panel
-                           : std::nullopt;
-    frame_->put_around(panel ? panes[static_cast<std::size_t>(*panel)] : nullptr,
-                       palette_of(state_.look().theme).accent);
-}
-
 void MainWindow::show_tab() {
     const int tab = static_cast<int>(state_.tree_pane().tab);
     if (tree_panes_->currentIndex() != tab) {

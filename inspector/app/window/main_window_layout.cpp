@@ -4,10 +4,12 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "state/commands.h"
 #include "window/actions.h"
 #include "window/counts_pane.h"
+#include "window/details_pane.h"
 #include "window/diagram_pane.h"
 #include "window/explained_pane.h"
 #include "window/filter_pane.h"
@@ -23,6 +25,11 @@
 
 /// The window's part in where its panes are, and how they share its room.
 namespace raytree::inspector {
+namespace {
+
+constexpr int legend_room = 90;  // of an overlay, below the picture
+
+}  // namespace
 
 QDockWidget* MainWindow::add_dock(const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
     auto* const dock = new QDockWidget(title, this);
@@ -109,6 +116,30 @@ QWidget* MainWindow::make_centre() {
     return box;
 }
 
+/// The lesson's pane, an overlay's legend, and a frame around the pane that a step talks about.
+void MainWindow::show_lesson() {
+    const bool shown = state_.lesson_side() != LessonSide::hidden;
+    const bool overlaid = state_.look().overlay || state_.look().depth_overlay;
+    const bool legend_comes_or_goes = overlaid != std::exchange(overlaid_, overlaid);
+    if (lesson_dock_->isVisibleTo(this) != shown) {
+        lesson_dock_->setVisible(shown);
+        share_room();
+    } else if (legend_comes_or_goes) {
+        // It takes its room from the details: the picture stays as large as it is.
+        const int more = overlaid ? legend_room : -legend_room;
+        resizeDocks({picture_dock_, details_dock_},
+                    {picture_dock_->height() + more, details_dock_->height() - more}, Qt::Vertical);
+    }
+    QWidget* const panes[] = {picture_,   scene_,   tree_dock_, tree_dock_,
+                              tree_dock_, details_, tree_dock_};
+    const LessonRun* const lesson = state_.lesson();
+    const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
+                           ? lesson->here().show.panel
+                           : std::nullopt;
+    frame_->put_around(panel ? panes[static_cast<std::size_t>(*panel)] : nullptr,
+                       palette_of(state_.look().theme).accent);
+}
+
 /// The docks keep their shares of the window; a lesson's text has lines that are easy to read.
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
@@ -133,8 +164,7 @@ void MainWindow::share_room() {
     const int below =
         tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
                    : std::clamp(static_cast<int>(height() * (teaches ? 0.4 : 0.36)), 160, 480);
-    constexpr int legend = 90;  // of an overlay, below the picture
-    const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend : 0),
+    const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend_room : 0),
                                  static_cast<int>(height() * (overlaid_ ? 0.55 : 0.5)));
     const int letter = fontMetrics().averageCharWidth();
     const int side = std::clamp(width() / 4, 36 * letter, std::max(400, 48 * letter));

@@ -15,13 +15,18 @@ namespace {
 constexpr std::size_t most_expanded = 1000;  // rays; larger trees open level by level
 constexpr int levels_of_large_trees = 4;
 
+/// In deep trees rows stand closer to those above them: what is in the deepest is to be read too.
+int indentation_for(const PixelTree* tree) {
+    constexpr int most = 13, least = 7, all = 84;  // pixels
+    return tree ? std::clamp(all / std::max(1, tree->tree.counts.levels), least, most) : most;
+}
+
 }  // namespace
 
 OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     : QTreeView(parent), state_(state), model_(new OutlineModel(this)) {
     setModel(model_);
     setUniformRowHeights(true);
-    setIndentation(13);
     setAllColumnsShowFocus(true);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -64,6 +69,7 @@ void OutlinePane::obey(const Changes& changes) {
 
 void OutlinePane::show_tree() {
     following_ = true;
+    setIndentation(indentation_for(state_.tree().get()));
     model_->show(state_);
     if (state_.tree() && state_.tree()->tree.rays.size() <= most_expanded) {
         expandAll();
@@ -107,17 +113,18 @@ void OutlinePane::show_columns() {
 }
 
 void OutlinePane::choose_columns(QPoint place) {
-    QMenu menu(this);
+    auto* const menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
     for (std::size_t k = 1; k < column_count; ++k) {
         const ColumnText& text = inspector::text_of(static_cast<Column>(k));
-        QAction* const action = menu.addAction(qt(text.title));
+        QAction* const action = menu->addAction(qt(text.title));
         action->setCheckable(true);
         action->setChecked(state_.table().has(static_cast<Column>(k)));
         connect(action, &QAction::triggered, this,
                 [this, word = text.word] { run_command(state_, "table.column", word); });
     }
-    menu.addSeparator();
-    QMenu* const order = menu.addMenu(QStringLiteral("Sort by"));
+    menu->addSeparator();
+    QMenu* const order = menu->addMenu(QStringLiteral("Sort by"));
     for (const Column column : state_.table().columns) {
         const ColumnText& text = inspector::text_of(column);
         order->addAction(qt(text.title),
@@ -125,10 +132,10 @@ void OutlinePane::choose_columns(QPoint place) {
     }
     for (const char* const id : {"table.as_tree", "table.first_columns"}) {
         const Command& command = *find_command(id);
-        menu.addAction(qt(command.title), [this, id] { run_command(state_, id); })
+        menu->addAction(qt(command.title), [this, id] { run_command(state_, id); })
             ->setEnabled(!command.possible || command.possible(state_));
     }
-    menu.exec(place);
+    menu->popup(place);  // whoever asks, such as a script, goes on
 }
 
 /// The rays of the rows that are chosen, or all of them, in the order in which they stand.
