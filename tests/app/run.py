@@ -3,13 +3,12 @@
 consist of. Needs a display, such as Xvfb's."""
 
 import argparse
+import ctypes
 import os
 import re
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from pathlib import Path
 
 RAYS = {"light": {"primary": 0x2B3440, "reflected": 0xE07B00, "refracted": 0x0B84C6,
@@ -26,51 +25,56 @@ def check(name, good, text=""):
         print(f"FAILED  {name}: {text}", flush=True)
 
 
-def unfiltered(kind, line, before, step):
-    """One row of a PNG with its filter taken back."""
-    for k in range(len(line)):
-        a = line[k - step] if k >= step else 0
-        b = before[k]
-        c = before[k - step] if k >= step else 0
-        if kind == 1:
-            line[k] = (line[k] + a) & 255
-        elif kind == 2:
-            line[k] = (line[k] + b) & 255
-        elif kind == 3:
-            line[k] = (line[k] + (a + b) // 2) & 255
-        elif kind == 4:
-            p = a + b - c
-            near = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))
-            line[k] = (line[k] + near[2]) & 255
-    return line
+class PngImage(ctypes.Structure):
+    """png_image of libpng's simplified interface."""
+    _fields_ = [("opaque", ctypes.c_void_p), ("version", ctypes.c_uint32),
+                ("width", ctypes.c_uint32), ("height", ctypes.c_uint32),
+                ("format", ctypes.c_uint32), ("flags", ctypes.c_uint32),
+                ("colormap_entries", ctypes.c_uint32),
+                ("warning_or_error", ctypes.c_uint32), ("message", ctypes.c_char * 64)]
 
 
-def read_png(path):
-    """Width, height and the pixels, rows of (r, g, b), of an 8-bit RGB picture."""
-    data = path.read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    at, packed = 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        if kind == b"IHDR":
-            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
-            assert (depth, colour) == (8, 2), (depth, colour)
-        elif kind == b"IDAT":
-            packed += body
-        at += 12 + length
-    raw, rows, before = zlib.decompress(packed), [], bytearray(3 * width)
-    for y in range(height):
-        start = y * (3 * width + 1)
-        before = unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + 3 * width]), before, 3)
-        rows.append(list(zip(before[0::3], before[1::3], before[2::3])))
-    return width, height, rows
+LIBPNG = ctypes.CDLL("libpng16.so.16")
+PNG_VERSION, FORMAT_RGB = 1, 2
 
 
-def count_near(rows, colour, columns, lines, reach=36):
-    r, g, b = colour >> 16, colour >> 8 & 255, colour & 255
-    return sum(abs(p[0] - r) < reach and abs(p[1] - g) < reach and abs(p[2] - b) < reach
-               for row in rows[lines] for p in row[columns])
+class Picture:
+    """An 8-bit RGB picture."""
+
+    def __init__(self, path):
+        image = PngImage(version=PNG_VERSION)
+        good = LIBPNG.png_image_begin_read_from_file(ctypes.byref(image), os.fsencode(path))
+        assert good, image.message
+        image.format = FORMAT_RGB
+        self.width, self.height = image.width, image.height
+        buffer = ctypes.create_string_buffer(3 * self.width * self.height)
+        good = LIBPNG.png_image_finish_read(ctypes.byref(image), None, buffer, 0, None)
+        assert good, image.message
+        self.data = buffer.raw
+
+    def part(self, columns, lines):
+        """The bytes of a part of it, row by row."""
+        left, right, _ = columns.indices(self.width)
+        top, bottom, _ = lines.indices(self.height)
+        return b"".join(self.data[3 * (y * self.width + left):3 * (y * self.width + right)]
+                        for y in range(top, bottom))
+
+
+def count_near(picture, colour, columns, lines, reach=36):
+    """How many pixels are like this colour, in each channel."""
+    part = picture.part(columns, lines)
+    alike = -1
+    for channel in range(3):
+        middle = colour >> (16 - 8 * channel) & 255
+        near = bytes(abs(value - middle) < reach for value in range(256))
+        alike &= int.from_bytes(part[channel::3].translate(near), "big")
+    return alike.bit_count()
+
+
+def colours(picture, columns, lines):
+    """How many different colours there are."""
+    part = picture.part(columns, lines)
+    return len(set(zip(part[0::3], part[1::3], part[2::3])))
 
 
 def run(*arguments, environment=None):
@@ -84,17 +88,18 @@ def check_screenshot(folder, scene, theme, size):
     done = run(OPTIONS.data / "scenes" / f"{scene}.json", "--screenshot", file, "--theme", theme,
                "--size", size)
     check(name, done.returncode == 0, done.stderr)
-    width, height, rows = read_png(file)
+    picture = Picture(file)
+    width, height = picture.width, picture.height
     check(name, f"{width}x{height}" == size, f"{width}x{height}")
     # The 3D view lies to the right of the middle third, above the outline.
     columns, lines = slice(width * 35 // 100, width), slice(height // 10, height * 60 // 100)
     for ray, colour in RAYS[theme].items():
-        found = count_near(rows, colour, columns, lines)
+        found = count_near(picture, colour, columns, lines)
         check(name, found > 120, f"{found} pixels in the colour of {ray}")
-    tones = {p for row in rows[lines][::4] for p in row[columns][::4]}
-    check(name, len(tones) > 300, f"the 3D view has {len(tones)} colours")
-    picture = {p for row in rows[height // 8:height * 40 // 100] for p in row[40:width // 4]}
-    check(name, len(picture) > 1000, f"the picture has {len(picture)} colours")
+    tones = colours(picture, columns, lines)
+    check(name, tones > 600, f"the 3D view has {tones} colours")
+    tones = colours(picture, slice(40, width // 4), slice(height // 8, height * 40 // 100))
+    check(name, tones > 1000, f"the picture has {tones} colours")
 
 
 def check_answers(folder):
@@ -143,9 +148,10 @@ def check_script(folder):
         file = folder / "scripted.png"
         done = run(scene, "--script", script(folder, *lines), "--screenshot", file)
         check("script", done.returncode == 0, done.stderr)
-        width, height, rows = read_png(file)
-        counts.append(count_near(rows, RAYS["light"]["lit"], slice(width * 35 // 100, width),
-                                 slice(height // 10, height * 55 // 100)))
+        picture = Picture(file)
+        counts.append(count_near(picture, RAYS["light"]["lit"],
+                                 slice(picture.width * 35 // 100, None),
+                                 slice(picture.height // 10, picture.height * 55 // 100)))
     check("script hides shadow rays", counts[1] < counts[0] / 4, counts)
 
 
@@ -155,23 +161,29 @@ def shown(folder, scene, theme, *lines, size="1280x800"):
     done = run(OPTIONS.data / "scenes" / f"{scene}.json", "--theme", theme, "--size", size,
                "--script", script(folder, *lines), "--screenshot", file)
     check(f"{scene} {theme} {lines}", done.returncode == 0, done.stderr)
-    return read_png(file)
+    return Picture(file)
+
+
+def check_menu_by_script(folder):
+    """A script goes on after a command that opens a menu."""
+    shown(folder, "glass-ball", "light", "table.columns", "ray.child", size="900x600")
 
 
 def check_diagram(folder):
     """With more room, the whole of a full tree is to be seen: boxes in the colours of their rays, the
     deepest level as well."""
-    for theme, colours in RAYS.items():
-        width, height, rows = shown(folder, "full-tree", theme, "pixel.pick 320,200", "tab.tall",
-                                    "tab.diagram")
+    for theme, inks in RAYS.items():
+        picture = shown(folder, "full-tree", theme, "pixel.pick 320,200", "tab.tall",
+                        "tab.diagram")
+        width, height = picture.width, picture.height
         right = slice(width * 33 // 100, width)
         top, low = height * 40 // 100, height * 97 // 100
         for kind in ["reflected", "refracted"]:
-            found = count_near(rows, colours[kind], right, slice(top, low))
+            found = count_near(picture, inks[kind], right, slice(top, low))
             check(f"diagram {theme}", found > 600, f"{found} pixels in the colour of {kind}")
         # Below the deepest level there is a margin.
         last = slice(height * 955 // 1000, low)
-        ink = sum(count_near(rows, colours[kind], right, last)
+        ink = sum(count_near(picture, inks[kind], right, last)
                   for kind in ["reflected", "refracted"])
         check(f"diagram {theme}", ink == 0, f"{ink} pixels of boxes at the lower edge")
 
@@ -194,7 +206,7 @@ def check_views(folder):
     that are hidden little is left: lights and surfaces of like colours."""
     width, height = 900, 560
     above_legend = slice(0, height - 90)
-    for theme, colours in RAYS.items():
+    for theme, inks in RAYS.items():
         lines = ["show.names"]  # words would cover rays
         for k, (commands, _, _) in enumerate(VIEWS):
             lines += [*commands, f"export.view {folder}/view{k}.png {width}x{height}"]
@@ -203,8 +215,8 @@ def check_views(folder):
         check(f"views {theme}", done.returncode == 0, done.stderr)
         first = {}
         for k, (commands, seen, hidden) in enumerate(VIEWS):
-            rows = read_png(folder / f"view{k}.png")[2]
-            count = {ray: count_near(rows, colours[ray], slice(0, width), above_legend)
+            picture = Picture(folder / f"view{k}.png")
+            count = {ray: count_near(picture, inks[ray], slice(0, width), above_legend)
                      for ray in seen + hidden}
             first = first or count
             name = f"views {theme} {' '.join(commands)}"
@@ -221,9 +233,9 @@ def check_selection_after_tab(folder):
         done = run(scene, "--pixel", "210,286", "--script", script(folder, *lines),
                    "--screenshot", file, "--size", "1280x800")
         check("selection after tab", done.returncode == 0, done.stderr)
-        width, height, rows = read_png(file)
-        views.append([p for row in rows[height // 10:height * 55 // 100]
-                      for p in row[width * 35 // 100:]])
+        picture = Picture(file)
+        views.append(picture.part(slice(picture.width * 35 // 100, None),
+                                  slice(picture.height // 10, picture.height * 55 // 100)))
     other = sum(a != b for a, b in zip(views[0], views[1]))
     unselected = sum(a != b for a, b in zip(views[0], views[2]))
     check("selection after tab", other < unselected / 4, (other, unselected))
@@ -237,6 +249,7 @@ def main():
         check_screenshot(folder, "glass-ball", "dark", "1920x1080")
         check_script(folder)
         check_selection_after_tab(folder)
+        check_menu_by_script(folder)
         check_diagram(folder)
         check_views(folder)
     print(f"{len(failures)} failures")
