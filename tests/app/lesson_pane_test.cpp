@@ -19,6 +19,7 @@
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
+#include "window/scene_pane.h"
 
 namespace raytree::inspector {
 
@@ -93,6 +94,15 @@ class LessonPaneTest : public test::ShownWindow {
         QVERIFY(state_.lesson());
         QCOMPARE(state_.lesson()->lesson().name, std::string("02-again"));
         QVERIFY(shown<QLabel>(QStringLiteral("step")));
+    }
+
+    void a_step_is_seen_in_the_same_way_wherever_one_comes_from() {
+        go_to("4");
+        const double before = window_->scene_pane().view().fov_degrees;
+        run_command(state_, "view.camera");
+        QVERIFY(window_->scene_pane().view().fov_degrees != before);
+        run_command(state_, "lesson.view");
+        QCOMPARE(window_->scene_pane().view().fov_degrees, before);
     }
 
     void next_and_back_go_through_the_steps_and_on_to_the_next_lesson() {
