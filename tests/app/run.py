@@ -166,7 +166,7 @@ def shown(folder, scene, theme, *lines, size="1280x800"):
 
 def check_menu_by_script(folder):
     """A script goes on after a command that opens a menu."""
-    shown(folder, "glass-ball", "light", "table.columns", "ray.child", size="900x600")
+    shown(folder, "glass-ball", "light", "table.columns", "ray.child", size="900x640")
 
 
 def check_diagram(folder):
