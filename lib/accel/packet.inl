@@ -18,8 +18,8 @@ class Patience {
 };
 
 /// Sixteen rays together: as one, and where they go too far apart for that, side by side. Then a
-/// node's children are first tested with bounds on all of them at
-/// once, then each that may be met with every ray.
+/// node's children are first tested with bounds on all of them at once, then each that may be met
+/// with every ray.
 template <bool any_will_do> class Packet {
   public:
     static constexpr std::size_t most = 16;

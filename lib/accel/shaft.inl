@@ -63,8 +63,8 @@ class Shaft {
         std::uint32_t near_row, far_row;
         float near_origin, far_origin;
         float low_inverse, high_inverse;
-        bool
-            both_ways;  ///< no inverses: the rays stay between the origins, near being the high one
+        /// There are no inverses: the rays stay between the origins, near being the high one.
+        bool both_ways;
     };
 
     static float to_float(double x) {

@@ -187,7 +187,8 @@ Report Checker::check(const Submission& submission) const {
             of_the_whole("rays", "it gives no quantity that could be compared"));
     }
     if (report.findings.empty()) {
-        look_for_contradictions(submission, scene_, report.findings);
+        look_for_contradictions(submission, books_.of(profile_named(report.profile)),
+                                report.findings);
     }
     if (report.findings.empty()) {
         report.verdict = Verdict::pass;

@@ -8,12 +8,13 @@ namespace {
 constexpr std::size_t rays_looked_at = 2000;  // enough to tell courses apart
 constexpr std::size_t few_causes = 20;        // that rounding alone may make
 
+bool is_seen_in_trees(std::string_view axis) { return axis != "quantise" && axis != "gamma"; }
+
 }  // namespace
 
 Choices seen_in_trees(Choices choices) {
-    std::erase_if(choices, [](const Convention* choice) {
-        return choice->axis == "quantise" || choice->axis == "gamma";
-    });
+    std::erase_if(choices,
+                  [](const Convention* choice) { return !is_seen_in_trees(choice->axis); });
     return choices;
 }
 
@@ -76,7 +77,7 @@ Choices ProfileFit::shown(const Profile& profile) const {
 
 bool ProfileFit::is_doubtful(const Profile& profile, const Choices& shown) {
     const auto seen = std::ranges::count_if(profile.named, [](std::string_view choice) {
-        return !choice.starts_with("quantise=") && !choice.starts_with("gamma=");
+        return is_seen_in_trees(choice.substr(0, choice.find('=')));
     });
     return shown.size() == 1 && seen > 1;
 }

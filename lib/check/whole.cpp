@@ -69,18 +69,6 @@ std::string other_setting(const Settings& stated, const Settings& due) {
     return reflects ? "total_internal_reflection" : "";
 }
 
-/// The material of the object of that name, a mesh's triangles ("name#k") too; null where there is
-/// none.
-const Material* material_of(const Scene& scene, const std::string& object) {
-    const std::string name = object.substr(0, object.rfind('#'));
-    for (const Object& each : scene.objects) {
-        if (each.name == object || each.name == name) {
-            return &scene.materials[each.material];
-        }
-    }
-    return nullptr;
-}
-
 /// Whether a ray of this sort has the field at all.
 bool can_give(const TreeRay<double>& ray, Field field) {
     const bool of_light = field >= Field::light && field <= Field::transmittance;
@@ -142,19 +130,23 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
     return true;
 }
 
-void look_for_contradictions(const Submission& submission, const Scene& scene,
+void look_for_contradictions(const Submission& submission, const Rulebook& book,
                              std::vector<Finding>& findings) {
     for (const Mistake& mistake : submission.contradictions) {
         findings.push_back(of_the_whole(mistake.place, mistake.text));
     }
     for (const TreeRay<double>& ray : submission.tree.rays) {
         const bool said = ray.hit && !ray.hit->material.empty();
-        const Material* const due = said ? material_of(scene, ray.hit->object) : nullptr;
-        if (due && due->name != ray.hit->material) {
-            findings.push_back(of_the_whole("material", "ray " + submission.ids[ray.id] +
-                                                            " is said to hit " + ray.hit->material +
-                                                            "; " + ray.hit->object + " is of " +
-                                                            due->name));
+        const auto shape = said ? book.names.find(ray.hit->object) : std::nullopt;
+        if (!shape) {
+            continue;
+        }
+        const Object& object = book.scene.objects[book.place.shapes.shapes()[*shape].object];
+        const std::string& due = book.scene.materials[object.material].name;
+        if (due != ray.hit->material) {
+            findings.push_back(of_the_whole(
+                "material", "ray " + submission.ids[ray.id] + " is said to hit " +
+                                ray.hit->material + "; " + ray.hit->object + " is of " + due));
             return;
         }
     }

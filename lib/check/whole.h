@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "check/finding.h"
+#include "check/rulebook.h"
 
 /// What concerns a submission as a whole: whether it is of this scene, and whether it gives what is
 /// required of it.
@@ -17,7 +18,7 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
 /// What no quantity shows: levels and counts that are not those of the rays, and materials that are
 /// not those of the objects. Of a tree that is right in all else: what is wrong there explains
 /// them.
-void look_for_contradictions(const Submission& submission, const Scene& scene,
+void look_for_contradictions(const Submission& submission, const Rulebook& book,
                              std::vector<Finding>& findings);
 
 /// What is required and missing is a finding, what else is missing a remark.

@@ -8,8 +8,8 @@ namespace {
 template <class T> struct Silent : NoRecorder<T> {};
 
 /// Traces 4 x 4 pixels at a time, the blocks of a tile one after the other. Their primary rays are
-/// followed together, and so are those from
-/// what they hit to each light; then their trees are grown one by one.
+/// followed together, and so are those from what they hit to each light; then their trees are grown
+/// one by one.
 template <class T, Facts facts> class BlockTracer {
   public:
     static constexpr int side = 4;

@@ -263,8 +263,7 @@ Row hierarchy() {
         "hierarchy",
         "the hierarchy against every shape one by one: scattered, coincident (up to 10^5 in one "
         "place), flat, nested shapes and such of all sizes; closest, any and all hits, one ray at "
-        "a time, in "
-        "beams of sixteen and many together (a tenth of it in `float`)",
+        "a time, in beams of sixteen and many together (a tenth of it in `float`)",
         "tests",
         "the same hits, to the last bit",
         "",
