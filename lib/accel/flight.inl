@@ -17,19 +17,13 @@ template <bool any_will_do, class Answers> class Flight {
         : searched_(searched), queries_(queries), answers_(answers) {}
 
     void run() {
-        for (std::uint32_t seat = 0; seat < seats && next_ < queries_.size(); ++seat) {
-            board(seat);
-        }
-        std::array<std::uint32_t, seats> now;
+        free_count_ = seats;
+        std::iota(free_.begin(), free_.end(), 0);
+        board();
         while (counts_[0] + counts_[1] > 0) {
-            for (std::uint32_t list = 0; list < 2; ++list) {
-                const std::size_t count = counts_[list];
-                std::copy_n(lists_[list].begin(), count, now.begin());
-                counts_[list] = 0;
-                for (std::size_t k = 0; k < count; ++k) {
-                    list == 0 ? visit_node(now[k]) : visit_leaf(now[k]);
-                }
-            }
+            visit_nodes();
+            visit_leaves();
+            board();
         }
     }
 
@@ -43,20 +37,29 @@ template <bool any_will_do, class Answers> class Flight {
         Ref next;
     };
 
-    void board(std::uint32_t seat) {
-        Seat& s = seats_[seat];
-        s.query = next_++;
-        set_out(searched_, queries_[s.query], s.ray);
-        s.next = Ref::to_node(0);
-        s.waiting.top = 0;
-        lists_[0][counts_[0]++] = seat;
+    /// Who is next takes a seat that is free.
+    void board() {
+        const std::size_t count = std::min(free_count_, queries_.size() - next_);
+        for (std::size_t k = 0; k < count; ++k) {
+            Seat& s = seats_[free_[k]];
+            s.query = next_ + k;
+            begin(queries_[s.query], s.ray);
+            make_ready_for_boxes(searched_, s.ray);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            Seat& s = seats_[free_[k]];
+            make_ready_for_leaves(searched_, s.ray);
+            s.next = Ref::to_node(0);
+            s.waiting.top = 0;
+            lists_[0][counts_[0]++] = free_[k];
+        }
+        next_ += count;
+        free_count_ = 0;
     }
 
     void leave(std::uint32_t seat) {
         answer(answers_, seats_[seat].query, seats_[seat].ray.best);
-        if (next_ < queries_.size()) {
-            board(seat);
-        }
+        free_[free_count_++] = seat;
     }
 
     void go_on(std::uint32_t seat) {
@@ -70,18 +73,53 @@ template <bool any_will_do, class Answers> class Flight {
         lists_[list][counts_[list]++] = seat;
     }
 
-    void visit_node(std::uint32_t seat) {
-        Seat& s = seats_[seat];
-        s.waiting.push_children(searched_.bvh.nodes()[s.next.node()], s.ray);
-        go_on(seat);
+    /// Those that are on a list, which is empty then.
+    std::size_t take(std::size_t list) {
+        const std::size_t count = std::exchange(counts_[list], 0);
+        std::copy_n(lists_[list].begin(), count, now_.begin());
+        return count;
     }
 
-    void visit_leaf(std::uint32_t seat) {
-        Seat& s = seats_[seat];
-        if (meet_leaf<any_will_do>(searched_, s.next, s.ray)) {
-            leave(seat);
-        } else {
-            go_on(seat);
+    // What is done is done for all of them, step by step: the steps of one ray wait for each other,
+    // those of several do not.
+    void visit_nodes() {
+        const std::size_t count = take(0);
+        const WideBvh::Node* const nodes = searched_.bvh.nodes().data();
+        for (std::size_t k = 0; k < count; ++k) {
+            const Seat& s = seats_[now_[k]];
+            F8 entered;
+            met_[k] = enter_children(nodes[s.next.node()], s.ray, entered);
+            entered.store(entered_[k].data());
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            Seat& s = seats_[now_[k]];
+            s.waiting.append_children(nodes[s.next.node()], s.ray, F8::load(entered_[k].data()),
+                                      met_[k]);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            go_on(now_[k]);
+        }
+    }
+
+    void visit_leaves() {
+        const std::size_t count = take(1);
+        for (std::size_t k = 0; k < count; ++k) {
+            const Seat& s = seats_[now_[k]];
+            met_[k] = filter_first(searched_.filter, s.next, s.ray);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const Seat& s = seats_[now_[k]];
+            if (is_filtered_twice(s.next) && met_[k] != 0) {
+                met_[k] &= filter_planes(searched_.filter, s.next, s.ray);
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            Seat& s = seats_[now_[k]];
+            if (meet_lanes<any_will_do>(searched_, s.next, met_[k], s.ray)) {
+                leave(now_[k]);
+            } else {
+                go_on(now_[k]);
+            }
         }
     }
 
@@ -91,5 +129,10 @@ template <bool any_will_do, class Answers> class Flight {
     std::size_t next_ = 0;
     std::array<std::size_t, 2> counts_{};  ///< of those that visit a node next, and a leaf
     std::array<std::array<std::uint32_t, seats>, 2> lists_;
+    std::size_t free_count_ = 0;
+    std::array<std::uint32_t, seats> free_;
+    std::array<std::uint32_t, seats> now_;
+    std::array<unsigned, seats> met_;  ///< of these, a bit for each child, or shape of the leaf
+    std::array<std::array<float, 8>, seats> entered_;
     std::array<Seat, seats> seats_;
 };

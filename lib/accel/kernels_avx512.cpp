@@ -7,6 +7,8 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "accel/kernels.h"
 #include "accel/space_between.h"

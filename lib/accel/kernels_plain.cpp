@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "accel/kernels.h"

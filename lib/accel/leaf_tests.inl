@@ -125,16 +125,28 @@ inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller
                              multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
 }
 
+/// Which shapes of a leaf are left by a first test, a bit for each.
+inline unsigned filter_first(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    const unsigned all = (2U << (leaf.count() - 1)) - 1;
+    switch (leaf.kind()) {
+        case LeafFilter::triangle:
+            return filter_lines(filter, leaf, ray) & all;
+        case LeafFilter::sphere:
+            return filter_spheres(filter, leaf, ray) & all;
+        case LeafFilter::cone:
+            return filter_cones(filter, leaf, ray) & all;
+        default:
+            return all;
+    }
+}
+
+/// Whether those that it leaves are tested again; then by `filter_planes`.
+inline bool is_filtered_twice(Ref leaf) { return leaf.kind() == LeafFilter::triangle; }
+
 /// Which shapes of a leaf are to be met in double, a bit for each.
 inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
-    const unsigned all = (2U << (leaf.count() - 1)) - 1;
-    if (leaf.kind() == LeafFilter::triangle) {
-        const unsigned passed = filter_lines(filter, leaf, ray) & all;
-        return passed == 0 ? 0 : filter_planes(filter, leaf, ray) & passed;
-    }
-    return leaf.kind() == LeafFilter::sphere ? filter_spheres(filter, leaf, ray) & all
-           : leaf.kind() == LeafFilter::cone ? filter_cones(filter, leaf, ray) & all
-                                             : all;
+    const unsigned left = filter_first(filter, leaf, ray);
+    return is_filtered_twice(leaf) && left != 0 ? filter_planes(filter, leaf, ray) & left : left;
 }
 
 /// The triangle at a lane of a leaf, met in double, as `intersect` does it. Flattened, so that its
@@ -220,14 +232,20 @@ inline bool meet_lane(const Searched& searched, Ref leaf, std::size_t lane, Trav
     return false;
 }
 
-/// Meets the shapes of a leaf; true where nothing more is to be looked for.
+/// Meets shapes of a leaf, a bit for each; true where nothing more is to be looked for.
 template <bool any_will_do>
-inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
-    for (unsigned left = filter_leaf(searched.filter, leaf, ray); left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+inline bool meet_lanes(const Searched& searched, Ref leaf, unsigned lanes, Traveller& ray) {
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
         if (meet_lane<any_will_do>(searched, leaf, lane, ray)) {
             return true;
         }
     }
     return false;
+}
+
+/// Meets the shapes of a leaf; true where nothing more is to be looked for.
+template <bool any_will_do>
+inline bool meet_leaf(const Searched& searched, Ref leaf, Traveller& ray) {
+    return meet_lanes<any_will_do>(searched, leaf, filter_leaf(searched.filter, leaf, ray), ray);
 }
