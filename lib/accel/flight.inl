@@ -1,20 +1,18 @@
 // Rays in any order, several on their way at a time. Part of kernels.inl.
 
-inline void prefetch(const Searched& searched, Ref next) {
-    const char* const at = next.is_leaf()
-                               ? reinterpret_cast<const char*>(searched.filter.of_leaf(next))
-                               : reinterpret_cast<const char*>(&searched.bvh.nodes()[next.node()]);
-    for (int line = 0; line < 4; ++line) {
-        __builtin_prefetch(at + 64 * line);
-    }
-}
-
 /// Several rays on their way at a time: while one waits for memory another is worked on, and what
 /// a ray does next, which no processor can guess, is decided by the list it is put on.
 template <bool any_will_do, class Answers> class Flight {
   public:
     Flight(const Searched& searched, Kernels::Queries queries, Answers answers)
-        : searched_(searched), queries_(queries), answers_(answers) {}
+        : searched_(searched),
+          queries_(queries),
+          answers_(answers),
+          places_{
+              Places{reinterpret_cast<const char*>(searched.bvh.nodes().data()),
+                     sizeof(WideBvh::Node)},
+              Places{reinterpret_cast<const char*>(searched.filter.of_leaf(Ref::to_leaf(0, 1, 0))),
+                     LeafFilter::numbers * sizeof(float)}} {}
 
     void run() {
         free_count_ = seats;
@@ -30,6 +28,11 @@ template <bool any_will_do, class Answers> class Flight {
   private:
     static constexpr std::uint32_t seats = 16;
 
+    /// Where what is visited lies.
+    struct Places {
+        const char* first;
+        std::size_t size;
+    };
     struct Seat {
         Traveller ray;
         Waiting<any_will_do> waiting;
@@ -38,7 +41,7 @@ template <bool any_will_do, class Answers> class Flight {
     };
 
     /// Who is next takes a seat that is free.
-    void board() {
+    [[gnu::noinline]] void board() {
         const std::size_t count = std::min(free_count_, queries_.size() - next_);
         for (std::size_t k = 0; k < count; ++k) {
             Seat& s = seats_[free_[k]];
@@ -68,34 +71,29 @@ template <bool any_will_do, class Answers> class Flight {
             leave(seat);
             return;
         }
-        prefetch(searched_, s.next);
         const std::size_t list = s.next.is_leaf() ? 1 : 0;
         lists_[list][counts_[list]++] = seat;
+        // A place is less than `most_items` of a node too, so no branch is needed to tell them
+        // apart.
+        const char* const at = places_[list].first + places_[list].size * s.next.first();
+        for (std::size_t line = 0; line < 4; ++line) {
+            __builtin_prefetch(at + 64 * line);
+        }
     }
 
     /// Those that are on a list, which is empty then.
     std::size_t take(std::size_t list) {
-        const std::size_t count = std::exchange(counts_[list], 0);
-        std::copy_n(lists_[list].begin(), count, now_.begin());
-        return count;
+        now_ = lists_[list];
+        return std::exchange(counts_[list], 0);
     }
 
     // What is done is done for all of them, step by step: the steps of one ray wait for each other,
-    // those of several do not.
+    // those of several do not. Each step is a function, which has all registers to itself.
+
     void visit_nodes() {
         const std::size_t count = take(0);
-        const WideBvh::Node* const nodes = searched_.bvh.nodes().data();
-        for (std::size_t k = 0; k < count; ++k) {
-            const Seat& s = seats_[now_[k]];
-            F8 entered;
-            met_[k] = enter_children(nodes[s.next.node()], s.ray, entered);
-            entered.store(entered_[k].data());
-        }
-        for (std::size_t k = 0; k < count; ++k) {
-            Seat& s = seats_[now_[k]];
-            s.waiting.append_children(nodes[s.next.node()], s.ray, F8::load(entered_[k].data()),
-                                      met_[k]);
-        }
+        test_boxes(count);
+        queue_children(count);
         for (std::size_t k = 0; k < count; ++k) {
             go_on(now_[k]);
         }
@@ -103,6 +101,30 @@ template <bool any_will_do, class Answers> class Flight {
 
     void visit_leaves() {
         const std::size_t count = take(1);
+        filter(count);
+        meet_shapes(count);
+    }
+
+    [[gnu::noinline]] void test_boxes(std::size_t count) {
+        const WideBvh::Node* const nodes = searched_.bvh.nodes().data();
+        for (std::size_t k = 0; k < count; ++k) {
+            const Seat& s = seats_[now_[k]];
+            F8 entered;
+            met_[k] = enter_children(nodes[s.next.node()], s.ray, entered);
+            entered.store(entered_[k].data());
+        }
+    }
+
+    [[gnu::noinline]] void queue_children(std::size_t count) {
+        const WideBvh::Node* const nodes = searched_.bvh.nodes().data();
+        for (std::size_t k = 0; k < count; ++k) {
+            Seat& s = seats_[now_[k]];
+            s.waiting.append_children(nodes[s.next.node()], s.ray, F8::load(entered_[k].data()),
+                                      met_[k]);
+        }
+    }
+
+    [[gnu::noinline]] void filter(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             const Seat& s = seats_[now_[k]];
             met_[k] = filter_first(searched_.filter, s.next, s.ray);
@@ -113,6 +135,9 @@ template <bool any_will_do, class Answers> class Flight {
                 met_[k] &= filter_planes(searched_.filter, s.next, s.ray);
             }
         }
+    }
+
+    [[gnu::noinline]] void meet_shapes(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             Seat& s = seats_[now_[k]];
             if (meet_lanes<any_will_do>(searched_, s.next, met_[k], s.ray)) {
@@ -126,9 +151,10 @@ template <bool any_will_do, class Answers> class Flight {
     const Searched& searched_;
     Kernels::Queries queries_;
     Answers answers_;
+    std::array<Places, 2> places_;  ///< of nodes, of leaves
     std::size_t next_ = 0;
     std::array<std::size_t, 2> counts_{};  ///< of those that visit a node next, and a leaf
-    std::array<std::array<std::uint32_t, seats>, 2> lists_;
+    std::array<std::array<std::uint32_t, seats>, 2> lists_{};
     std::size_t free_count_ = 0;
     std::array<std::uint32_t, seats> free_;
     std::array<std::uint32_t, seats> now_;

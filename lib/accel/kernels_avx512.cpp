@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "accel/kernels.h"
 #include "accel/space_between.h"
 

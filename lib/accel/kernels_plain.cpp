@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "accel/kernels.h"
 #include "accel/simd_plain.h"
 #include "accel/space_between.h"

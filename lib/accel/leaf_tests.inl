@@ -160,7 +160,9 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
     const LeafFilter::Exact numbers(searched.filter, leaf, lane);
     const Ray<double>& line = ray.query->ray;
     const RayFrame<double>& frame = ray.frame;
-    const double ox = line.origin[frame.x], oy = line.origin[frame.y], oz = line.origin[frame.z];
+    const double ox = component(line.origin, ray.axis[0]);
+    const double oy = component(line.origin, ray.axis[1]);
+    const double oz = component(line.origin, ray.axis[2]);
     std::array<double, 3> px, py;
     for (std::size_t k = 0; k < 3; ++k) {
         const double z = numbers[3 * k + ray.axis[2]] - oz;

@@ -32,17 +32,30 @@ inline void begin(const Query<double>& query, Traveller& ray) {
     ray.ready_for_boxes = ray.ready_for_leaves = ray.has_frame = false;
 }
 
-/// What triangles are met with.
+/// A component along an axis that only the ray knows; glm's own way to it has branches, which no
+/// processor could guess.
+inline double component(const Vec3<double>& v, std::size_t axis) { return glm::value_ptr(v)[axis]; }
+
+inline constexpr std::array<int, 5> axes_in_turn = {0, 1, 2, 0, 1};
+
+/// What triangles are met with: as RayFrame chooses its axes, without a branch.
 inline void set_frame(Traveller& ray) {
-    std::construct_at(&ray.frame, ray.query->ray.direction);
-    ray.axis = {static_cast<std::size_t>(ray.frame.x), static_cast<std::size_t>(ray.frame.y),
-                static_cast<std::size_t>(ray.frame.z)};
+    const Vec3<double>& d = ray.query->ray.direction;
+    const double across = std::max(std::abs(d.x), std::abs(d.y));
+    const int z_is_1 = std::abs(d.x) > std::abs(d.y) ? 0 : 1, z_is_2 = std::abs(d.z) > across;
+    const auto z = static_cast<std::size_t>(z_is_1 * (1 - z_is_2) + 2 * z_is_2);
+    RayFrame<double>& frame = ray.frame;
+    frame.x = axes_in_turn[z + 1];
+    frame.y = axes_in_turn[z + 2];
+    frame.z = axes_in_turn[z];
+    ray.axis = {static_cast<std::size_t>(frame.x), static_cast<std::size_t>(frame.y), z};
+    frame.shear_x = component(d, ray.axis[0]) / component(d, z);
+    frame.shear_y = component(d, ray.axis[1]) / component(d, z);
     ray.has_frame = true;
 }
 
 inline void make_ready_for_boxes(const Searched& searched, Traveller& ray) {
-    const Vec3<double>& d = ray.query->ray.direction;
-    searched.bvh.prepare(ray.query->ray.origin, d, ray.box);
+    searched.bvh.prepare(ray.query->ray.origin, ray.query->ray.direction, ray.box);
     unsigned octant = 0;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t backwards = ray.box.inverse[axis] < 0 ? 1 : 0;
@@ -62,9 +75,9 @@ inline void make_ready_for_leaves(const Searched& searched, Traveller& ray) {
     const Vec3<double> o = searched.filter.origin_of(ray.box);
     constexpr double farthest = 1e18;  // products stay finite; the error is far larger there
     for (std::size_t k = 0; k < 3; ++k) {
-        const int a = static_cast<int>(ray.axis[k]);
-        ray.origin[k] = static_cast<float>(std::min(std::max(o[a], -farthest), farthest));
-        ray.direction[k] = static_cast<float>(d[a]);
+        const double at = component(o, ray.axis[k]);
+        ray.origin[k] = static_cast<float>(std::min(std::max(at, -farthest), farthest));
+        ray.direction[k] = static_cast<float>(component(d, ray.axis[k]));
     }
     ray.shear_x = static_cast<float>(ray.frame.shear_x);
     ray.shear_y = static_cast<float>(ray.frame.shear_y);
