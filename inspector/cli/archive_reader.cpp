@@ -51,9 +51,9 @@ ArchiveReader::ArchiveReader(const std::filesystem::path& file, const ArchiveLim
             file.string(), "",
             std::filesystem::exists(file, error) ? "is not a file" : "there is no such file");
     }
-    limits_.all_bytes =
-        std::min(limits_.all_bytes,
-                 limits_.small_bytes + limits_.ratio * std::filesystem::file_size(file, error));
+    const std::size_t size = std::filesystem::file_size(file, error);
+    limits_.most_large_bytes =
+        std::min(limits_.most_large_bytes, limits_.large_bytes + limits_.ratio * size);
     if (archive_read_open_filename(handle_->of, file.c_str(), 1 << 16) != ARCHIVE_OK) {
         throw InputError(file.string(), "",
                          "cannot be read as a zip, tar or tar.gz: " + handle_->error());
@@ -65,6 +65,13 @@ ArchiveReader::~ArchiveReader() = default;
 ArchiveEntry ArchiveReader::last(const std::string& refusal) {
     done_ = true;
     return {"", "", refusal};
+}
+
+/// Whether an entry of that size may be unpacked too; counts it.
+bool ArchiveReader::has_room(std::size_t size) {
+    bytes_ += size;
+    large_bytes_ += size > limits_.small_entry ? size : 0;
+    return bytes_ <= limits_.all_bytes && large_bytes_ <= limits_.most_large_bytes;
 }
 
 /// The next entry that is not a folder, unread.
@@ -93,11 +100,12 @@ std::optional<ArchiveEntry> ArchiveReader::step() {
             continue;
         }
         // To pass over an entry of a packed tar is to unpack it: after a large one nothing is read.
-        if (size > limits_.all_bytes - std::min(bytes_, limits_.all_bytes)) {
-            return last("unpacks to more than " + megabytes(limits_.all_bytes) +
+        if (!has_room(size)) {
+            return last("unpacks to more than " +
+                        megabytes(bytes_ > limits_.all_bytes ? limits_.all_bytes
+                                                             : limits_.most_large_bytes) +
                         "; the rest is not read");
         }
-        bytes_ += size;
         if (link || archive_entry_filetype(handle_->entry) != AE_IFREG) {
             entry.refusal = "is a link or a device, not a file";
         } else if (leads_out(entry.name)) {
@@ -112,6 +120,7 @@ std::optional<ArchiveEntry> ArchiveReader::step() {
 }
 
 void ArchiveReader::read(ArchiveEntry& entry) {
+    const bool sized = archive_entry_size_is_set(handle_->entry) != 0;
     std::string buffer(1 << 16, '\0');
     for (;;) {
         const la_ssize_t count = archive_read_data(handle_->of, buffer.data(), buffer.size());
@@ -125,6 +134,9 @@ void ArchiveReader::read(ArchiveEntry& entry) {
             break;
         }
         entry.bytes.append(buffer, 0, static_cast<std::size_t>(count));
+    }
+    if (!sized && !has_room(entry.bytes.size())) {
+        entry.refusal = "unpacks to more than the archive may";
     }
     if (!entry.refusal.empty()) {
         entry.bytes.clear();

@@ -15,12 +15,16 @@ struct ArchiveEntry {
     std::string refusal;  ///< why there are no bytes; empty where there are
 };
 
-/// What is read of an archive, so that a hostile one is soon done with.
+/// What is read of an archive, so that a hostile one is soon done with. A class packs well, as its
+/// trees are much alike: small files are counted by themselves.
 struct ArchiveLimits {
     std::size_t entry_bytes = std::size_t{16} << 20;
-    std::size_t all_bytes = std::size_t{512} << 20;   ///< unpacked, of a large archive
-    std::size_t small_bytes = std::size_t{32} << 20;  ///< unpacked, of one of any size; and
-    std::size_t ratio = 50;                           ///< so many times its own size more
+    std::size_t all_bytes = std::size_t{2} << 30;  ///< unpacked, passed over or not
+    std::size_t small_entry = std::size_t{1} << 20;
+    /// Unpacked, of entries that are not small: so much, so many times the archive's own size more,
+    /// and at most so much.
+    std::size_t large_bytes = std::size_t{32} << 20, ratio = 50;
+    std::size_t most_large_bytes = std::size_t{512} << 20;
     std::size_t entries = 20'000;
 };
 
@@ -52,12 +56,13 @@ class ArchiveReader {
   private:
     struct Handle;
     std::optional<ArchiveEntry> step();
+    bool has_room(std::size_t size);
     void read(ArchiveEntry& entry);
     ArchiveEntry last(const std::string& refusal);
 
     std::unique_ptr<Handle> handle_;
     ArchiveLimits limits_;
-    std::size_t bytes_ = 0, entries_ = 0;
+    std::size_t bytes_ = 0, large_bytes_ = 0, entries_ = 0;
     bool done_ = false;
 };
 

@@ -46,6 +46,7 @@ void load_scene_to_judge_by(Arguments& arguments) {
     }
     if (!arguments.scene.file.empty()) {
         LoadedScene loaded = arguments.scene.load();
+        run.options.scene_sha256 = std::move(loaded.sha256);
         run.options.course_text = loaded.format == SceneFormat::course_text;
         run.scene = std::move(loaded.scene);
         return;

@@ -24,27 +24,58 @@ bool is_hidden(const std::string& file) {
            file.find("__MACOSX/") != std::string::npos;
 }
 
-/// A folder's trees and archives; where it has none, its pictures.
-std::vector<std::string> files_inside(const std::string& folder) {
-    std::vector<std::string> trees, pictures;
+/// Whether a link inside `folder` leads out of it, or nowhere.
+bool leads_out(const fs::path& link, const fs::path& folder) {
     std::error_code error;
-    for (fs::recursive_directory_iterator entry(folder, error), end; entry != end && !error;
-         entry.increment(error)) {
-        const std::string name = entry->path().string();
-        if (entry->is_directory(error) || is_hidden(name)) {
-            continue;
+    const fs::path target = fs::canonical(link, error);
+    const fs::path inside = error ? fs::path() : fs::canonical(folder, error);
+    return error || std::ranges::mismatch(inside, target).in1 != inside.end();
+}
+
+/// What a folder holds: trees and archives; where it has none, pictures. What cannot be read stands
+/// with the reason among them.
+struct FolderWalk {
+    std::string top;
+    std::vector<std::string> trees{}, pictures{};
+    std::map<std::string, std::string> refused{};
+
+    void walk(const std::string& folder) {
+        std::error_code error;
+        fs::directory_iterator entries(folder, error);
+        for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+            see(*entries);
         }
-        if (is_tree(name) || ArchiveReader::is_archive(name)) {
+        if (error) {
+            refuse(folder, "cannot be read: " + error.message());
+        }
+    }
+
+  private:
+    void refuse(const std::string& name, const std::string& why) {
+        trees.push_back(name);
+        refused[name] = why;
+    }
+    void see(const fs::directory_entry& entry) {
+        const std::string name = entry.path().string();
+        std::error_code error;
+        const bool is_link = entry.is_symlink(error);
+        const bool is_folder = entry.is_directory(error);
+        const bool tree = is_tree(name) || ArchiveReader::is_archive(name);
+        if (is_hidden(name)) {
+            return;
+        }
+        if (is_link && (is_folder || ((tree || is_picture(name)) && leads_out(name, top)))) {
+            refuse(name, is_folder ? "is a link to a folder; it is not followed"
+                                   : "is a link to what is not in the folder; it is not followed");
+        } else if (is_folder) {
+            walk(name);
+        } else if (tree) {
             trees.push_back(name);
         } else if (is_picture(name)) {
             pictures.push_back(name);
         }
     }
-    if (trees.empty() && pictures.empty()) {
-        throw InputError(folder, "", "has no .json files in it");
-    }
-    return trees.empty() ? pictures : trees;
-}
+};
 
 }  // namespace
 
@@ -61,8 +92,15 @@ SubmissionFeed::SubmissionFeed(const std::vector<std::string>& named, bool anony
             files_.emplace_back(name);
             continue;
         }
-        const std::vector<std::string> inside = files_inside(name);
+        FolderWalk folder{name};
+        folder.walk(name);
+        const std::vector<std::string>& inside =
+            folder.trees.empty() ? folder.pictures : folder.trees;
+        if (inside.empty()) {
+            throw InputError(name, "", "has no .json files in it");
+        }
         files_.insert(files_.end(), inside.begin(), inside.end());
+        refused_.merge(folder.refused);
     }
     std::ranges::sort(files_);
     files_.erase(std::unique(files_.begin(), files_.end()), files_.end());
@@ -110,6 +148,11 @@ std::optional<Handed> SubmissionFeed::next() {
         Handed handed;
         handed.name = file;
         handed.file = file;
+        const auto refused = refused_.find(file);
+        if (refused != refused_.end()) {
+            handed.refusal = refused->second;
+            return named(std::move(handed));
+        }
         if (!ArchiveReader::is_archive(handed.name)) {
             return named(std::move(handed));
         }

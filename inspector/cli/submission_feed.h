@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,7 +36,8 @@ class SubmissionFeed {
     Handed named(Handed handed);
     std::optional<Handed> from_archive();
 
-    std::vector<std::string> files_;  ///< not paths, which take ten times the memory
+    std::vector<std::string> files_;              ///< not paths, which take ten times the memory
+    std::map<std::string, std::string> refused_;  ///< of these: why
     std::size_t at_ = 0;
     bool anonymous_;
     std::size_t handed_out_ = 0;

@@ -20,15 +20,15 @@ Step backwards(const Step& step) {
     return back;
 }
 
-Roots2 plane_sign(const Place& place, const Step& step, PrimitiveId id) {
-    return roots_of(place, is_planar(place, id) ? backwards(step) : step, id);
+OwnRoots plane_sign(const Place& place, const Step& step, PrimitiveId id) {
+    return is_planar(place, id) ? OwnRoots(roots_of(place, backwards(step), id)) : std::nullopt;
 }
 
 /// The lowest root, whatever its sign.
-Roots2 negative_t(const Place& place, const Step& step, PrimitiveId id) {
+OwnRoots negative_t(const Place& place, const Step& step, PrimitiveId id) {
     const Roots2 behind = roots_of(place, backwards(step), id);
     if (behind.count == 0) {
-        return roots_of(place, step, id);
+        return std::nullopt;
     }
     Roots2 roots;
     roots.count = 1;
@@ -36,13 +36,16 @@ Roots2 negative_t(const Place& place, const Step& step, PrimitiveId id) {
     return roots;
 }
 
-template <bool planar_only> Roots2 culled(const Place& place, const Step& step, PrimitiveId id) {
+template <bool planar_only> OwnRoots culled(const Place& place, const Step& step, PrimitiveId id) {
+    if (planar_only && !is_planar(place, id)) {
+        return std::nullopt;
+    }
     const Roots2 roots = roots_of(place, step, id);
     Roots2 kept;
     for (int n = 0; n < roots.count; ++n) {
         const double t = roots.t[static_cast<std::size_t>(n)];
         const Vec normal = place.shapes.shapes().surface_at(id, ray_of(step), t).geometric_normal;
-        if ((planar_only && !is_planar(place, id)) || inner(step.direction, normal) < 0) {
+        if (inner(step.direction, normal) < 0) {
             kept.add(t);
         }
     }
@@ -51,7 +54,7 @@ template <bool planar_only> Roots2 culled(const Place& place, const Step& step, 
 
 template <class Better>
 Found preferring(const Place& place, const Step& step, Interval<double> interval, Better better) {
-    return choose(place, step, interval, roots_of, better);
+    return choose(place, step, interval, as_the_model, better);
 }
 
 /// The order of objects decides and not the distance; of one object, the nearer root.
@@ -68,7 +71,7 @@ Found first_wins(const Place& place, const Step& step, Interval<double> interval
 Found farthest(const Place& place, const Step& step, Interval<double> interval) {
     return choose(
         place, step, interval,
-        [](const Place& of, const Step& by, PrimitiveId id) {
+        [](const Place& of, const Step& by, PrimitiveId id) -> OwnRoots {
             Roots2 roots = roots_of(of, by, id);
             roots.count = std::min(roots.count, 1);
             return roots;

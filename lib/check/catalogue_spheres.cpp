@@ -21,16 +21,24 @@ struct Quadratic {
     double discriminant() const { return b * b - 4 * a * c; }
 };
 
+const Object& object_at(const Place& place, PrimitiveId id) {
+    return place.scene().objects[place.shapes.shapes()[id].object];
+}
+
+bool has_one_root(const Place& place, PrimitiveId id) {
+    const ShapeKind kind = place.shapes.shapes()[id].kind;
+    return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
+}
+
 /// The ray in the shape's own space.
 Ray<double> own_ray(const Place& place, const Step& step, PrimitiveId id) {
-    const Object& object = place.scene().objects[place.shapes.shapes()[id].object];
+    const Object& object = object_at(place, id);
     const Ray<double> ray = ray_of(step);
     return object.transform ? AffineMap<double>(*object.transform).ray_to_own_space(ray) : ray;
 }
 
 const Sphere* sphere_of(const Place& place, PrimitiveId id) {
-    const Object& object = place.scene().objects[place.shapes.shapes()[id].object];
-    return std::get_if<Sphere>(&object.shape);
+    return std::get_if<Sphere>(&object_at(place, id).shape);
 }
 
 /// Whether the ray starts where the shape was hit, though the point may lie beside the true shape.
@@ -40,10 +48,10 @@ bool starts_on(const Step& step, PrimitiveId id) {
 }
 
 /// The two solutions that `formula` gives for spheres; other shapes are met rightly.
-template <auto formula> Roots2 solved(const Place& place, const Step& step, PrimitiveId id) {
+template <auto formula> OwnRoots solved(const Place& place, const Step& step, PrimitiveId id) {
     const Sphere* const sphere = sphere_of(place, id);
     if (!sphere) {
-        return roots_of(place, step, id);
+        return std::nullopt;
     }
     const Ray<double> own = own_ray(place, step, id);
     const Vec f = own.origin - sphere->center;
@@ -106,7 +114,10 @@ bool starts_within(const Place& place, const Step& step, PrimitiveId id) {
                          sphere->radius * (1 + at_the_start);
 }
 
-Roots2 near_only(const Place& place, const Step& step, PrimitiveId id) {
+OwnRoots near_only(const Place& place, const Step& step, PrimitiveId id) {
+    if (has_one_root(place, id)) {
+        return std::nullopt;
+    }
     const Roots2 roots = roots_of(place, step, id);
     Roots2 first;
     if (roots.count > 0 && !starts_within(place, step, id)) {
@@ -115,7 +126,10 @@ Roots2 near_only(const Place& place, const Step& step, PrimitiveId id) {
     return first;
 }
 
-Roots2 far_root(const Place& place, const Step& step, PrimitiveId id) {
+OwnRoots far_root(const Place& place, const Step& step, PrimitiveId id) {
+    if (has_one_root(place, id)) {
+        return std::nullopt;
+    }
     const Roots2 roots = roots_of(place, step, id);
     Roots2 last;
     if (roots.count > 0) {
@@ -124,7 +138,10 @@ Roots2 far_root(const Place& place, const Step& step, PrimitiveId id) {
     return last;
 }
 
-Roots2 own_units(const Place& place, const Step& step, PrimitiveId id) {
+OwnRoots own_units(const Place& place, const Step& step, PrimitiveId id) {
+    if (!object_at(place, id).transform) {
+        return std::nullopt;
+    }
     Roots2 roots = roots_of(place, step, id);
     const double size = length(own_ray(place, step, id).direction);
     for (double& t : roots.t) {
@@ -144,11 +161,10 @@ Ray<double> moved_ray(const Object& object, const Step& step) {
     return ray;
 }
 
-const Object& object_at(const Place& place, PrimitiveId id) {
-    return place.scene().objects[place.shapes.shapes()[id].object];
-}
-
-Roots2 moved_direction(const Place& place, const Step& step, PrimitiveId id) {
+OwnRoots moved_direction(const Place& place, const Step& step, PrimitiveId id) {
+    if (!object_at(place, id).transform) {
+        return std::nullopt;
+    }
     return place.shapes.shapes().intersect(id, moved_ray(object_at(place, id), step), step.leaving);
 }
 

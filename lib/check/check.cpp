@@ -93,8 +93,22 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
         }
         report.findings.push_back(std::move(finding));
     }
-    if (judged->causes() > 0 && report.profile_asked_for) {
-        report.conventions = ProfileFit(books_, submission, options_.rtol).excuses(book.choices);
+    const auto first =
+        std::ranges::find_if(judged->findings(), [](const Finding& f) { return !f.follows_from; });
+    const bool by_lecture = &book == &books_.lecture();
+    if (first != judged->findings().end() && (report.profile_asked_for || by_lecture)) {
+        Choices excuses =
+            ProfileFit(books_, submission, options_.rtol).excuses(book.choices, *first);
+        if (report.profile_asked_for) {
+            report.conventions = std::move(excuses);
+        } else {
+            for (const Convention* excuse : excuses) {
+                report.remarks.push_back("some courses have it so, and nothing else is wrong: " +
+                                         std::string(excuse->axis) + '=' +
+                                         std::string(excuse->value) + ", " +
+                                         std::string(excuse->text));
+            }
+        }
     }
     if (judged->causes() > 0 && options_.name_mistakes && !is_crowded(submission)) {
         diagnose(book.place, book.names, book.laws, submission, options, report);
@@ -133,18 +147,7 @@ void Checker::judge_by_fitting(const Submission& submission, Report& report) con
         }
         return;
     }
-    const Choices shown = fit.shown(best);
-    if (!ProfileFit::is_doubtful(best, shown)) {
-        return;
-    }
-    judge_by(lecture, submission, by_lecture);
-    if (!by_lecture.mistakes.empty()) {
-        const std::string name(best.name);
-        by_lecture.conventions = shown;
-        by_lecture.remarks.push_back("the course " + name + " has it so: --profile " + name +
-                                     " takes it for right");
-        report = std::move(by_lecture);
-    }
+    report.conventions = fit.shown(best);
 }
 
 void Checker::judge_by(const Profile& profile, const Submission& submission, Report& report) const {
@@ -167,7 +170,7 @@ Report Checker::check(const Submission& submission) const {
     report.verdict = Verdict::fail;
     report.profile = options_.profile.value_or(std::string(profiles().front().name));
     report.profile_asked_for = options_.profile.has_value();
-    if (!fits_scene(submission, scene_, report.findings)) {
+    if (!fits_scene(submission, scene_, books_.lecture().names, report.findings)) {
         return report;
     }
     look_for_missing_fields(submission, options_.required, report.findings, report.remarks);
@@ -194,6 +197,12 @@ Report Checker::check(const Submission& submission) const {
         report.verdict = Verdict::pass;
         report.score = 1;
         return report;
+    }
+    const std::string& of_scene = submission.tree.scene_sha256;
+    if (!of_scene.empty() && !options_.scene_sha256.empty() && of_scene != options_.scene_sha256) {
+        report.remarks.push_back(
+            "its scene.sha256 is not that of the scene's file: is it of another scene, or of "
+            "another version of it?");
     }
     const double all = static_cast<double>(std::max(report.compared, report.findings.size()));
     report.score = 1 - static_cast<double>(report.findings.size()) / all;

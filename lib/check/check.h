@@ -22,6 +22,7 @@ struct CheckOptions {
     double rtol = 1e-5;                  ///< relative, of every quantity
     Given required;                      ///< fields that every ray which can have them must give
     std::optional<std::string> profile;  ///< conventions to judge by; none: those that fit best
+    std::string scene_sha256;            ///< of the scene's file, hexadecimal; may be empty
     bool course_text = false;  ///< the scene's settings are those of the course text format
     bool name_mistakes = true;
     bool suggest_pixels = false;               ///< that would tell apart what a mistake may be
@@ -43,9 +44,9 @@ struct Report {
     std::string file;
     Verdict verdict = Verdict::unreadable;
     std::string profile;
-    /// In what the profile differs from the lecture. Of the lecture, and of a profile that was
-    /// asked for and does not fit: the conventions of other courses that explain everything; none
-    /// where none do, or where another course was not asked for and has too little to show for it.
+    /// In what the profile differs from the lecture, where it explains everything as far as the
+    /// submission shows it. Of a profile that was asked for and does not fit: the conventions of
+    /// other courses that explain everything; none where none do.
     Choices conventions;
     bool profile_asked_for = false;
     double score = 0;  ///< the share of quantities that are right

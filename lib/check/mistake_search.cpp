@@ -81,9 +81,7 @@ Candidate MistakeSearch::attempt(const Laws& both) const {
     return attempt(both, is_rounded() ? left_of_a_pair + 1 : 1, left_of_a_pair);
 }
 
-bool MistakeSearch::is_rounded() const {
-    return submission_.precision.relative > 1e-12 || submission_.precision.absolute > 0;
-}
+bool MistakeSearch::is_rounded() const { return submission_.precision.is_rounded(); }
 
 Candidate MistakeSearch::left_by(const std::vector<Key>& keys) const {
     Candidate candidate;

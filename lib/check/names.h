@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -14,7 +15,7 @@ class Names {
   public:
     explicit Names(const Place& place);
 
-    const std::string& of(PrimitiveId primitive) const { return names_[primitive]; }
+    std::string_view of(PrimitiveId primitive) const { return names_[primitive]; }
     /// Whether `name` is that of the shape, or of the mesh that it is part of.
     bool means(const std::string& name, PrimitiveId primitive) const;
     /// A shape of that name: of a mesh, its first triangle.

@@ -29,6 +29,8 @@ class PictureChecker {
 
   private:
     Report judge(const ReadPicture& picture, const std::string& name) const;
+    Report judge_by(const Profile& profile, const ReadPicture& picture,
+                    const std::string& name) const;
     const Profile& best_profile(const ReadPicture& picture) const;
     std::shared_ptr<const Picture> truth_by(const Rulebook& book) const;
 

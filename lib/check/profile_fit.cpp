@@ -18,17 +18,18 @@ Choices seen_in_trees(Choices choices) {
     return choices;
 }
 
-std::size_t ProfileFit::causes(const Choices& choices, std::size_t enough,
-                               const Slacks* slacks) const {
-    const Rulebook& book = books_.of(choices);
+Replay ProfileFit::replayed(const Rulebook& book, const ReplayOptions& options) const {
+    Replay replay(book.place, book.names, book.laws, submission_, options);
+    replay.run();
+    return replay;
+}
+
+std::size_t ProfileFit::causes(const Choices& choices, std::size_t enough) const {
     ReplayOptions options;
     options.rtol = rtol_;
     options.most_rays = rays_looked_at;
     options.enough = enough;
-    options.slacks = slacks;
-    Replay replay(book.place, book.names, book.laws, submission_, options);
-    replay.run();
-    return replay.causes();
+    return replayed(books_.of(choices), options).causes();
 }
 
 const Profile& ProfileFit::best() const {
@@ -44,20 +45,36 @@ const Profile& ProfileFit::best() const {
             break;
         }
     }
-    return *best;
+    const Profile& lecture = profiles().front();
+    return best != &lecture && explained_by(books_.choices_of(lecture)) ? lecture : *best;
 }
 
-bool ProfileFit::explained_by(const Choices& choices) const {
-    const std::size_t left = causes(choices, few_causes);
-    if (left == 0 || left >= few_causes) {
-        return left == 0;
-    }
+/// What is wrong by other conventions at `first` is so by these too where it is hardly less: more
+/// than the submission's rounding is behind it.
+bool ProfileFit::explained_by(const Choices& choices, const Finding* first) const {
     const Rulebook& book = books_.of(choices);
     ReplayOptions options;
     options.rtol = rtol_;
     options.most_rays = rays_looked_at;
+    options.enough = few_causes;
+    if (first && !submission_.precision.is_rounded()) {
+        options.give_up_at = key_of(*first);
+    }
+    const Replay plain = replayed(book, options);
+    if (plain.causes() == 0 || plain.causes() >= few_causes) {
+        return plain.causes() == 0;
+    }
+    const auto is_left = [first](const Finding& left) {
+        return !left.follows_from && key_of(left) == key_of(*first) &&
+               2 * left.error >= first->error;
+    };
+    if (first && std::ranges::any_of(plain.findings(), is_left)) {
+        return false;
+    }
     const Slacks slacks = slacks_of(book.place, book.names, book.laws, submission_, options);
-    return causes(choices, 1, &slacks) == 0;
+    options.slacks = &slacks;
+    options.enough = 1;
+    return replayed(book, options).causes() == 0;
 }
 
 Choices ProfileFit::shown(const Profile& profile) const {
@@ -72,20 +89,16 @@ Choices ProfileFit::shown(const Profile& profile) const {
             shown.push_back(each);
         }
     }
-    return shown;
+    return shown.empty() ? seen_in_trees(books_.differences(whole, lecture)) : shown;
 }
 
-bool ProfileFit::is_doubtful(const Profile& profile, const Choices& shown) {
-    const auto seen = std::ranges::count_if(profile.named, [](std::string_view choice) {
-        return is_seen_in_trees(choice.substr(0, choice.find('=')));
-    });
-    return shown.size() == 1 && seen > 1;
-}
-
-Choices ProfileFit::excuses(const Choices& base) const {
+Choices ProfileFit::excuses(const Choices& base, const Finding& first) const {
     for (const Choices& choices : books_.alternatives(base)) {
-        Choices differing = seen_in_trees(books_.differences(choices, base));
-        if (!differing.empty() && explained_by(choices)) {
+        if (!explained_by(choices, &first)) {
+            continue;
+        }
+        if (Choices differing = seen_in_trees(books_.differences(choices, base));
+            !differing.empty()) {
             return differing;
         }
     }

@@ -16,25 +16,22 @@ class ProfileFit {
     ProfileFit(const Rulebooks& books, const Submission& submission, double rtol)
         : books_(books), submission_(submission), rtol_(rtol) {}
 
-    /// The profile with the fewest causes of differences; the first of equals.
+    /// The profile with the fewest causes of differences; the first of equals, and the lecture's
+    /// where rounding alone is why it has any.
     const Profile& best() const;
 
-    /// The conventions by which the profile differs from the lecture and without which it would not
-    /// explain the submission.
+    /// Of a profile that explains the submission: the conventions by which it differs from the
+    /// lecture and without which it would not. All of them where one makes up for another.
     Choices shown(const Profile& profile) const;
 
-    /// Whether `shown` is too little to know the course by: one convention of several that it has
-    /// may as well be a mistake in another course.
-    static bool is_doubtful(const Profile& profile, const Choices& shown);
-
     /// What other courses do that would make all of it right: one convention, or a course's; none
-    /// where nothing would.
-    Choices excuses(const Choices& base) const;
+    /// where nothing would. `first` is the first cause of a difference by `base`.
+    Choices excuses(const Choices& base, const Finding& first) const;
 
   private:
-    bool explained_by(const Choices& choices) const;
-    std::size_t causes(const Choices& choices, std::size_t enough,
-                       const Slacks* slacks = nullptr) const;
+    bool explained_by(const Choices& choices, const Finding* first = nullptr) const;
+    Replay replayed(const Rulebook& book, const ReplayOptions& options) const;
+    std::size_t causes(const Choices& choices, std::size_t enough) const;
 
     const Rulebooks& books_;
     const Submission& submission_;

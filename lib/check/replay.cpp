@@ -254,9 +254,8 @@ Replay::Outcome Replay::follow(At at, Step& step, Taint taint) {
         const auto found = submission_.tree.rays[at.ray].termination;
         Taint ended = taint;
         if (found) {
-            decide(at, Field::termination,
-                   {static_cast<std::int64_t>(expected), std::string(word_of(expected))},
-                   {static_cast<std::int64_t>(*found), std::string(word_of(*found))}, ended);
+            decide(at, Field::termination, {static_cast<std::int64_t>(expected), word_of(expected)},
+                   {static_cast<std::int64_t>(*found), word_of(*found)}, ended);
         }
     }
     Outcome outcome;

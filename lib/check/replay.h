@@ -93,7 +93,7 @@ class Replay {
     };
     struct Word {
         std::int64_t code = 0;
-        std::string text;
+        std::string_view text;
     };
 
     Outcome follow(At at, Step& step, Taint taint);

@@ -55,7 +55,7 @@ bool Replay::meet_given(At at, Step& step, const std::optional<Hit<double>>& hit
     decide(at, Field::object,
            {hit ? static_cast<std::int64_t>(hit->primitive) : -1,
             hit ? names_.of(hit->primitive) : ""},
-           {code, named ? given.object : "something"}, taint);
+           {code, named ? std::string_view(given.object) : "something"}, taint);
     if (!primitive) {
         return false;
     }

@@ -136,7 +136,7 @@ void Replay::see_blocker(At at, const Step& step, Shine& shine, const Passage& p
     } else {
         decide(at, Field::blocked_by,
                {code(passage.blocker), blocked ? names_.of(passage.blocker) : ""},
-               {given ? -3 : -1, given ? given->object : ""}, taint);
+               {given ? -3 : -1, given ? std::string_view(given->object) : ""}, taint);
     }
     if (given.has_value() != blocked) {
         shine.transmittance = Spectrum(given ? 0.0 : 1.0);

@@ -55,16 +55,17 @@ enum class ReportFormat { text, json, gradescope, junit, csv };
 /// What the head and the tail of a report need to know of each submission.
 struct Summary {
     std::string file, verdict, mistake;
+    std::string conventions;  ///< not the lecture's, by which it passes: "miss=black near=all"
     double score = 0, earned = 0, total = 0;
 };
 Summary summary_of(const Printed& of);
 
-/// The same likeliest mistake in several submissions.
+/// What several submissions have in common.
 struct Group {
     std::string id;
     std::vector<std::string> files;
 };
-/// The largest first, of equals by id.
+/// By their likeliest mistakes. The largest first, of equals by id.
 std::vector<Group> groups_of(const std::vector<Summary>& all);
 
 /// How much a report for people gives away: where to look, also which quantity, also its formula,

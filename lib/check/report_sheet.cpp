@@ -49,6 +49,23 @@ std::string sentence_of(const std::string& id) {
     return row == rows.end() ? "" : std::string(row->text);
 }
 
+/// Those that say something there; the largest group first, of equals by what they say.
+std::vector<Group> grouped_by(const std::vector<Summary>& all, std::string Summary::*what) {
+    std::map<std::string, std::vector<std::string>> files_of;
+    for (const Summary& each : all) {
+        if (!(each.*what).empty()) {
+            files_of[each.*what].push_back(each.file);
+        }
+    }
+    std::vector<Group> groups;
+    for (auto& [id, files] : files_of) {
+        groups.push_back({id, std::move(files)});
+    }
+    std::ranges::stable_sort(groups, std::greater<>(),
+                             [](const Group& group) { return group.files.size(); });
+    return groups;
+}
+
 std::string words_of_all(const std::vector<Summary>& all) {
     if (all.size() < 2) {
         return "";
@@ -59,14 +76,22 @@ std::string words_of_all(const std::vector<Summary>& all) {
         text += "  " + std::to_string(group.files.size()) + of + ": " + sentence_of(group.id) +
                 " [" + group.id + "]\n";
     }
+    for (const Group& group : grouped_by(all, &Summary::conventions)) {
+        text += "  " + std::to_string(group.files.size()) + of +
+                " pass by conventions that are not the lecture's: " + group.id + '\n';
+    }
     return text;
 }
 
 }  // namespace
 
 Summary summary_of(const Printed& of) {
-    Summary summary{of.file,  of.verdict, of.mistakes.empty() ? "" : of.mistakes.front().id,
-                    of.score, 0,          0};
+    Summary summary;
+    summary.file = of.file;
+    summary.verdict = of.verdict;
+    summary.mistake = of.mistakes.empty() ? "" : of.mistakes.front().id;
+    summary.conventions = of.verdict == "pass" ? conventions_of(of) : "";
+    summary.score = of.score;
     if (of.points) {
         summary.earned = of.points->earned;
         summary.total = of.points->total;
@@ -75,19 +100,7 @@ Summary summary_of(const Printed& of) {
 }
 
 std::vector<Group> groups_of(const std::vector<Summary>& all) {
-    std::map<std::string, std::vector<std::string>> by_mistake;
-    for (const Summary& each : all) {
-        if (!each.mistake.empty()) {
-            by_mistake[each.mistake].push_back(each.file);
-        }
-    }
-    std::vector<Group> groups;
-    for (auto& [id, files] : by_mistake) {
-        groups.push_back({id, std::move(files)});
-    }
-    std::ranges::stable_sort(groups, std::greater<>(),
-                             [](const Group& group) { return group.files.size(); });
-    return groups;
+    return grouped_by(all, &Summary::mistake);
 }
 
 std::string ReportSheet::part(const Printed& of) const {

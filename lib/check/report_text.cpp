@@ -1,6 +1,7 @@
 #include "check/report_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "check/conventions.h"
@@ -47,14 +48,19 @@ std::string conventions_text(const Printed& of) {
     if (of.conventions.empty()) {
         return "";
     }
-    std::string text = of.profile_asked_for || of.profile == profiles().front().name
-                           ? "  Nothing else is wrong than conventions of other courses:\n"
-                           : "  The profile " + of.profile + " differs from the lecture:\n";
+    std::string text =
+        of.profile_asked_for   ? "  Nothing else is wrong than conventions of other courses:\n"
+        : of.verdict == "pass" ? "  Right by conventions that are not the lecture's:\n"
+                               : "  The profile " + of.profile + " differs from the lecture:\n";
     for (const PrintedConvention& convention : of.conventions) {
         text += "     " + convention.axis + '=' + convention.value + ": " + convention.text;
         text += convention.mistake.empty()
                     ? "\n"
                     : " (where it is not meant, the mistake " + convention.mistake + ")\n";
+    }
+    if (!of.profile_asked_for && of.verdict == "pass") {
+        text +=
+            "     --profile " + std::string(profiles().front().name) + " holds it to the lecture\n";
     }
     return text;
 }
@@ -154,6 +160,14 @@ std::string cell(const std::string& text) {
     return quoted + '"';
 }
 
+/// A word as it is; of a report that was read, any text.
+std::string word_cell(const std::string& text) {
+    const bool plain = std::ranges::all_of(text, [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
+    });
+    return plain && !text.starts_with('-') ? text : cell(text);
+}
+
 std::string first_cause(const Printed& of) {
     return of.findings.empty() ? "" : of.findings.front().text;
 }
@@ -171,16 +185,21 @@ std::string words_of(const Printed& of, Telling telling, std::size_t most_findin
     return text;
 }
 
+std::string conventions_of(const Printed& of) {
+    std::string text;
+    for (const PrintedConvention& each : of.conventions) {
+        text += (text.empty() ? "" : " ") + each.axis + '=' + each.value;
+    }
+    return text;
+}
+
 std::string csv_row_of(const Printed& of) {
     const bool named = !of.mistakes.empty();
-    std::string conventions;
-    for (const PrintedConvention& each : of.conventions) {
-        conventions += (conventions.empty() ? "" : " ") + each.axis + '=' + each.value;
-    }
     return cell(of.file) + ',' + of.verdict + ',' + number(of.score) + ',' +
-           (of.points ? number(of.points->earned) : "") + ',' + of.profile + ',' +
-           cell(conventions) + ',' + std::to_string(of.rays) + ',' + std::to_string(of.compared) +
-           ',' + std::to_string(of.causes()) + ',' + (named ? of.mistakes.front().id : "") + ',' +
+           (of.points ? number(of.points->earned) : "") + ',' + word_cell(of.profile) + ',' +
+           cell(conventions_of(of)) + ',' + std::to_string(of.rays) + ',' +
+           std::to_string(of.compared) + ',' + std::to_string(of.causes()) + ',' +
+           (named ? word_cell(of.mistakes.front().id) : "") + ',' +
            (named && of.mistakes.front().sure ? "yes" : "") + ',' + cell(first_cause(of)) + '\n';
 }
 

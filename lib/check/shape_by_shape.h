@@ -24,18 +24,35 @@ inline Roots2 roots_of(const Place& place, const Step& step, PrimitiveId id) {
     return place.shapes.shapes().intersect(id, ray_of(step), step.leaving);
 }
 
-/// Every hit, in the order of the scene, that lies in the interval; `behind` it too.
+/// What a formula gives for one shape; none where it gives what the model does.
+using OwnRoots = std::optional<Roots2>;
+
+/// Of no shape anything but the model's.
+inline OwnRoots as_the_model(const Place&, const Step&, PrimitiveId) { return std::nullopt; }
+
+/// Every hit that lies in the interval; `behind` it too. `roots` gives OwnRoots.
 template <class RootsOf> std::vector<Hit<double>> hits_by(const Place& place, const Step& step,
                                                           Interval<double> interval, RootsOf roots,
                                                           bool behind = false) {
     std::vector<Hit<double>> hits;
+    bool any_as_the_model = false;
     for (std::size_t k = 0; k < place.shapes.shapes().size(); ++k) {
         const auto id = static_cast<PrimitiveId>(k);
-        const Roots2 found = roots(place, step, id);
-        for (int n = 0; n < found.count; ++n) {
-            const double t = found.t[static_cast<std::size_t>(n)];
+        const OwnRoots found = roots(place, step, id);
+        any_as_the_model = any_as_the_model || !found;
+        for (int n = 0; found && n < found->count; ++n) {
+            const double t = found->t[static_cast<std::size_t>(n)];
             if ((behind || t >= interval.from) && t < interval.to) {
                 hits.push_back({t, id});
+            }
+        }
+    }
+    if (any_as_the_model) {
+        NoTestCount none;
+        const Interval<double> ahead{behind ? 0 : interval.from, interval.to};
+        for (const Hit<double>& hit : place.shapes.all(ray_of(step), step.leaving, ahead, none)) {
+            if (!roots(place, step, hit.primitive)) {
+                hits.push_back(hit);
             }
         }
     }

@@ -195,6 +195,7 @@ Submission parse_submission(const std::string& text, const std::string& file) {
     submission.contradictions = std::move(read.contradictions);
     submission.has_camera = read.has_camera;
     submission.has_settings = read.has_settings;
+    submission.lights = read.lights;
     if (!submission.gives(0, Field::intensity) && !is_zero(submission.tree.intensity)) {
         // The tree's is its primary ray's.
         submission.tree.rays[0].intensity = submission.tree.intensity;

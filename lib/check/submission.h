@@ -26,6 +26,8 @@ struct Precision {
     double absolute = 0;
     std::string_view name = "double";  ///< "double", "float", "rounded"
     int digits = 17;                   ///< significant ones, where it is rounded
+
+    bool is_rounded() const { return relative > 1e-12 || absolute > 0; }
 };
 
 struct Submission {
@@ -37,6 +39,7 @@ struct Submission {
     std::vector<std::vector<std::size_t>> children;
     bool has_shadow_rays = false;  ///< else their absence says nothing
     bool has_camera = false, has_settings = false;
+    std::optional<std::size_t> lights;  ///< how many it says that the scene has
     std::vector<std::string> remarks;
     std::vector<Mistake> contradictions;  ///< levels and counts that are not those of its rays
     std::vector<NotNumber> not_numbers;   ///< where its numbers are none

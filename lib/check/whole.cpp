@@ -95,7 +95,8 @@ Finding of_the_whole(std::string subject, std::string reason) {
     return finding;
 }
 
-bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Finding>& findings) {
+bool fits_scene(const Submission& submission, const Scene& scene, const Names& names,
+                std::vector<Finding>& findings) {
     const Camera& camera = scene.camera;
     const RayTree<double>& tree = submission.tree;
     if (tree.pixel_i >= camera.width || tree.pixel_j >= camera.height) {
@@ -116,6 +117,14 @@ bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Fi
         findings.push_back(
             of_the_whole("settings", "its " + setting + " is not that of the scene"));
     }
+    const auto unknown = std::ranges::find_if(tree.rays, [&](const TreeRay<double>& ray) {
+        return ray.hit && !ray.hit->object.empty() && !names.find(ray.hit->object);
+    });
+    if (unknown != tree.rays.end()) {
+        findings.push_back(of_the_whole("scene", "no object of the scene is called \"" +
+                                                     unknown->hit->object +
+                                                     "\"; is it of another scene?"));
+    }
     const Rgb<double>& whole = tree.intensity;
     const Rgb<double>& primary = tree.rays.front().intensity;
     const auto same = [&](auto change) {
@@ -134,6 +143,12 @@ void look_for_contradictions(const Submission& submission, const Rulebook& book,
                              std::vector<Finding>& findings) {
     for (const Mistake& mistake : submission.contradictions) {
         findings.push_back(of_the_whole(mistake.place, mistake.text));
+    }
+    const std::size_t lights = book.scene.lights.size();
+    if (submission.lights.value_or(lights) != lights) {
+        findings.push_back(
+            of_the_whole("/counts/lights", "is " + std::to_string(*submission.lights) +
+                                               "; the scene has " + std::to_string(lights)));
     }
     for (const TreeRay<double>& ray : submission.tree.rays) {
         const bool said = ray.hit && !ray.hit->material.empty();

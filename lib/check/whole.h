@@ -13,7 +13,8 @@ namespace raytree::check {
 Finding of_the_whole(std::string subject, std::string reason);
 
 /// False where there is nothing to compare with: its pixel is none of the scene's.
-bool fits_scene(const Submission& submission, const Scene& scene, std::vector<Finding>& findings);
+bool fits_scene(const Submission& submission, const Scene& scene, const Names& names,
+                std::vector<Finding>& findings);
 
 /// What no quantity shows: levels and counts that are not those of the rays, and materials that are
 /// not those of the objects. Of a tree that is right in all else: what is wrong there explains

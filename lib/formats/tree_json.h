@@ -38,6 +38,7 @@ struct ReadTree {
     std::optional<Scene> scene;    ///< the one inside the file
     bool has_camera = false;       ///< whether the file gave the camera
     bool has_settings = false;
+    std::optional<std::size_t> lights;  ///< how many the file says that the scene has
     std::vector<std::string> warnings;  ///< for people, "file: place: text"
     /// Where levels and counts that the file gives are not those of its rays.
     std::vector<Mistake> contradictions;

@@ -113,17 +113,20 @@ class LevelCheck {
     std::optional<bool> first_is_0_;
 };
 
-/// Counts of rays that are given, but for those of shadow rays, which a tree may leave out.
+/// Counts that are given, but for those of shadow rays, which a tree may leave out. The deepest
+/// level may be counted from 0.
 void check_counts(const OptionalMembers& in, const TreeCounts& due, JsonReport& contradictions) {
     in.object("counts", [&](const OptionalMembers& counts) {
-        const auto check = [&](std::string_view key, double of_rays) {
+        const auto check = [&](std::string_view key, double of_rays, double or_else = -1) {
             double given = of_rays;
             counts.number(key, given);
-            if (given != of_rays) {
+            if (given != of_rays && given != or_else) {
                 contradictions.add(counts.reader().place_of(key),
                                    "is not the number of them in the tree");
             }
         };
+        check("primary", static_cast<double>(due.primary));
+        check("levels", due.levels, due.levels - 1);
         check("reflected", static_cast<double>(due.reflected));
         check("refracted", static_cast<double>(due.refracted));
         if (due.shadow > 0) {
@@ -303,7 +306,9 @@ void read_head(const OptionalMembers& in, const std::filesystem::path& folder, J
                                            in.reader().place_of("settings"), report);
     }
     in.object("counts", [&](const OptionalMembers& counts) {
-        counts.count("lights", tree.counts.lights);
+        if (counts.count("lights", tree.counts.lights)) {
+            out.lights = tree.counts.lights;
+        }
         counts.number("full_tree", tree.counts.full_tree);
         counts.count("intersection_tests", tree.counts.intersection_tests);
     });

@@ -96,11 +96,15 @@ TEST_CASE("what is done to a finished picture is found in it") {
             }
         }
         const Image image = quantized(picture, Quantize::floor).image;
-        const check::Report report = judged(scene, encode_png(image), "lecture");
-        if (report.verdict == check::Verdict::fail) {
-            CHECK((names(report, row.id) || !report.conventions.empty()));
-        } else {
-            CHECK(row.id == "out.uchar_wrap");  // nothing in this picture is brighter than 1
+        for (const char* profile : {"lecture", ""}) {
+            CAPTURE(profile);
+            const check::Report report = judged(scene, encode_png(image), profile);
+            if (report.verdict == check::Verdict::fail) {
+                CHECK((names(report, row.id) || !report.conventions.empty()));
+                CHECK(report.profile == "lecture");
+            } else {
+                CHECK(row.id == "out.uchar_wrap");  // nothing in this picture is brighter than 1
+            }
         }
     }
 }

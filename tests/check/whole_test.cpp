@@ -35,7 +35,38 @@ TEST_CASE("what a right tree says of levels, counts and materials is held agains
         findings(replaced(right, "\"material\": \"glass\"", "\"material\": \"floor\""));
     REQUIRE(material.size() == 1);
     CHECK(material.front().subject == "material");
-    CHECK(findings(replaced(right, "\"refracted\": ", "\"refracted\": 1")).size() == 1);
+    for (const std::string count : {"primary", "reflected", "refracted", "shadow", "levels"}) {
+        CAPTURE(count);
+        const auto wrong = findings(replaced(right, "\"" + count + "\": ", "\"" + count + "\": 1"));
+        REQUIRE(wrong.size() == 1);
+        CHECK(wrong.front().subject == "/counts/" + count);
+    }
+    const auto lights = findings(replaced(right, "\"lights\": 2", "\"lights\": 3"));
+    REQUIRE(lights.size() == 1);
+    CHECK(lights.front().reason == "is 3; the scene has 2");
+}
+
+TEST_CASE("a tree of another scene is said to be one") {
+    const Scene scene = data_scene("nested-media");
+    check::CheckOptions options;
+    options.scene_sha256 = std::string(64, 'a');
+    const check::Checker checker(scene, options);
+    const Scene other = data_scene("glass-ball");
+    RayTree<double> tree = record_tree(World<double>(other), 320, 250);
+    tree.scene_sha256 = std::string(64, 'b');
+    tree.camera = scene.camera;
+    tree.settings = scene.settings;
+    const check::Report report = check_tree(checker, tree);
+    CHECK(report.verdict == check::Verdict::fail);
+    REQUIRE_FALSE(report.findings.empty());
+    CHECK(report.findings.front().subject == "scene");
+    CHECK(report.findings.front().reason.find("\"glass ball\"") != std::string::npos);
+    REQUIRE_FALSE(report.remarks.empty());
+    CHECK(report.remarks.back().find("scene.sha256") != std::string::npos);
+    // A file may be written anew without becoming another scene.
+    RayTree<double> right = record_tree(World<double>(scene), 375, 273);
+    right.scene_sha256 = tree.scene_sha256;
+    CHECK(check_tree(checker, right).verdict == check::Verdict::pass);
 }
 
 TEST_CASE("levels may be counted from 0 as well, by all rays alike") {

@@ -112,6 +112,41 @@ def archives(bench, right, dark):
         bench.check(f"{name} within 10 s", bench.slow or time.monotonic() - started < 10)
 
 
+def alike(bench, right):
+    """A class packs well: many small trees that are much alike are no bomb."""
+    many = {f"{k:05}.json": right.rstrip()[:-1] + " " * 900_000 + "}" for k in range(60)}
+    tarred(bench, "alike.tar.gz", many)
+    size = (bench.folder / "alike.tar.gz").stat().st_size
+    unpacked = sum(map(len, many.values()))
+    bench.check("a class that packs well", unpacked > (32 << 20) + 50 * size, (size, unpacked))
+    report = report_of(bench, "alike.tar.gz --scene scene.json", 0)
+    bench.check("all of a class that packs well", len(report["submissions"]) == 60)
+
+
+def links(bench, right):
+    """Links in a folder are not followed out of it."""
+    folder, outside = bench.folder / "linked", bench.folder / "outside"
+    for path in (folder / "inside", outside):
+        path.mkdir(parents=True)
+        (path / "tree.json").write_text(right)
+    (folder / "alias.json").symlink_to("inside/tree.json")
+    (folder / "far.json").symlink_to(outside / "tree.json")
+    (folder / "none.json").symlink_to("nowhere.json")
+    (folder / "loop").symlink_to(folder)
+    (folder / "other").symlink_to(outside)
+    (folder / "notes.txt").symlink_to("/etc/passwd")
+    report = report_of(bench, "linked --scene scene.json", 1)
+    bench.check("links in a folder", verdicts(report) == {
+        "linked/alias.json": "pass", "linked/inside/tree.json": "pass",
+        "linked/far.json": "unreadable", "linked/none.json": "unreadable",
+        "linked/loop": "unreadable", "linked/other": "unreadable"}, verdicts(report))
+    said = {s["file"]: s["findings"][0]["text"] for s in report["submissions"] if s["findings"]}
+    bench.check("what is said of links", "not in the folder" in said["linked/far.json"]
+                and "link to a folder" in said["linked/loop"], said)
+    bench.expect("a link that is named itself", "check linked/far.json --scene scene.json", 0,
+                 "pass", "")
+
+
 def merging(bench, right, dark):
     folder = bench.folder / "all"
     folder.mkdir()
@@ -130,6 +165,13 @@ def merging(bench, right, dark):
     named = bench.run("check --merge part0.json part1.json --anonymous --as csv").stdout
     bench.check("anonymous when merged", b"a.json" not in named and b"submission-00002" in named,
                 named)
+    bench.write("forged.json", json.dumps({
+        "format": "raytree-report/1.0",
+        "submissions": [{"file": "=1", "verdict": "fail", "profile": "=2,3",
+                         "mistakes": [{"id": "@x,\"y"}]}]}))
+    row = bench.run("check --merge forged.json --as csv").stdout.decode().splitlines()[1]
+    bench.check("words of a report that is read are no formulas",
+                row.startswith("\"'=1\",fail,0,,\"'=2,3\",") and ",\"'@x,\"\"y\"," in row, row)
     bench.expect("merging what is no report", "check --merge all/a.json", 2, "", r"raytree-report")
     bench.expect("merging by a scene", "check --merge part0.json --scene scene.json", 2, "",
                  r"takes no scene")
@@ -311,6 +353,8 @@ def homework(bench):
     dark = json.dumps(checking.without_ambient(checking.tree(bench)))
     bench.write("right.json", right)
     archives(bench, right, dark)
+    alike(bench, right)
+    links(bench, right)
     merging(bench, right, dark)
     batches(bench)
     rubrics(bench, dark)

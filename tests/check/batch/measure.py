@@ -1,9 +1,12 @@
 """Time and memory of `raytree check` on many submissions of one pixel.
 
-    python3 measure.py RAYTREE [COUNT…]     default: 1000 and 10000 submissions
+    python3 measure.py RAYTREE [COUNT…]             default: 1000 and 10000 submissions
+    python3 measure.py RAYTREE --wrong [COUNT…]     all of them wrong
 
 Each is the tree of a pixel of nested glass, 31 rays. A third of them are right, a third wrong by a
-mistake that differs from one to the next, a third rounded to six digits. Elapsed time, processor time and the largest memory of the process.
+mistake that differs from one to the next, a third rounded to six digits. With --wrong they have the
+mistakes of ../students in turn, all that change something there. Elapsed time, processor time and
+the largest memory of the process.
 """
 
 import json
@@ -15,7 +18,8 @@ import time
 from pathlib import Path
 
 SCENE = Path(__file__).resolve().parents[3] / "data" / "scenes" / "nested-media.json"
-TRACE = ["--scene", SCENE, "--max-depth", "6"]
+PIXEL, DEPTH = (241, 206), 6
+TRACE = ["--scene", SCENE, "--max-depth", str(DEPTH)]
 
 
 def rounded(value):
@@ -39,17 +43,33 @@ def wrong(tree, k):
     return tree
 
 
+def of_a_class(tree):
+    texts = [json.dumps(t) for t in (tree, *(wrong(tree, k) for k in range(3)), rounded(tree))]
+    return [texts[0], texts[1], texts[4], texts[0], texts[2], texts[4], texts[0], texts[3],
+            texts[4]]
+
+
+def all_wrong():
+    """A tree for each of the planter's mistakes that changes one."""
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "students"))
+    import run as planter
+    source = planter.read_source(SCENE)
+    source.document["settings"]["max_depth"] = DEPTH
+    right = planter.grown(source, None, PIXEL)
+    trees = [planter.grown(source, plant, PIXEL) for _, plant in planter.mistakes.planted]
+    return [json.dumps(t) for t in trees if t and planter.differ(t, right)]
+
+
 def main():
     raytree = os.path.abspath(sys.argv[1])
-    counts = [int(x) for x in sys.argv[2:]] or [1000, 10_000]
+    mixed = "--wrong" in sys.argv
+    counts = [int(x) for x in sys.argv[2:] if x != "--wrong"] or [1000, 10_000]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        done = subprocess.run([raytree, "trace", SCENE, "--pixel", "241,206", "--max-depth", "6"],
-                              capture_output=True, check=True)
+        done = subprocess.run([raytree, "trace", SCENE, "--pixel", "%d,%d" % PIXEL,
+                               "--max-depth", str(DEPTH)], capture_output=True, check=True)
         tree = json.loads(done.stdout)
-        texts = [json.dumps(t) for t in (tree, *(wrong(tree, k) for k in range(3)), rounded(tree))]
-        texts = [texts[0], texts[1], texts[4], texts[0], texts[2], texts[4], texts[0], texts[3],
-                 texts[4]]
+        texts = all_wrong() if mixed else of_a_class(tree)
         for count in counts:
             os.makedirs(f"class{count}")
             for k in range(count):
@@ -58,10 +78,12 @@ def main():
             run = subprocess.Popen([raytree, "check", f"class{count}", *TRACE, "--as", "json",
                                     "-o", "report.json"])
             _, _, used = os.wait4(run.pid, 0)
+            elapsed = time.time() - start
             report = json.loads(Path("report.json").read_text())
             verdicts = [s["verdict"] for s in report["submissions"]]
             print(f"{count} submissions of {len(tree['rays'])} rays: "
-                  f"{time.time() - start:.1f} s elapsed, {used.ru_utime + used.ru_stime:.1f} s of processor time, "
+                  f"{elapsed:.1f} s elapsed, "
+                  f"{used.ru_utime + used.ru_stime:.1f} s of processor time, "
                   f"{used.ru_maxrss / 1024:.0f} MB; {verdicts.count('pass')} pass, "
                   f"{verdicts.count('fail')} fail")
 

@@ -262,34 +262,33 @@ def spots(raytree, folder, seed, quick):
         yield name, DATA / "scenes" / f"{name}.json", pixels
 
 
-def plant_all(raytree, spot, form, table, correct, options, planted):
-    """All mistakes at the pixels of a scene, in one form."""
+def plant_all(raytree, spot, forms, tables, correct, options, planted):
+    """All mistakes at the pixels of a scene, each tree grown once and handed in in every form."""
     name, scene, pixels = spot
     source = read_source(scene)
-    with tempfile.TemporaryDirectory() as folder:
-        cases = {}
-        for pixel in pixels:
-            right = FORMS[form](grown(source, None, pixel))
-            key = f"right-{pixel[0]}-{pixel[1]}"
-            Path(folder, key + ".json").write_text(json.dumps(right))
-            cases[key] = None
-            for k, (mistake, plant) in enumerate(planted):
-                wrong = grown(source, plant, pixel)
-                if wrong is None:
-                    continue
-                seen = {"nested": "everything", "bare": "colours"}.get(form, form)
-                if differ(FORMS[seen](wrong), FORMS[seen](grown(source, None, pixel))):
-                    wrong = FORMS[form](wrong)
-                    key = f"{k}-{pixel[0]}-{pixel[1]}"
+    trees = []  # (key, mistake or None, tree, right tree)
+    for pixel in pixels:
+        right = grown(source, None, pixel)
+        trees.append((f"right-{pixel[0]}-{pixel[1]}", None, right, right))
+        for k, (mistake, plant) in enumerate(planted):
+            wrong = grown(source, plant, pixel)
+            if wrong is not None:
+                trees.append((f"{k}-{pixel[0]}-{pixel[1]}", mistake, wrong, right))
+    for form in forms:
+        seen = FORMS[{"nested": "everything", "bare": "colours"}.get(form, form)]
+        with tempfile.TemporaryDirectory() as folder:
+            cases = {}
+            for key, mistake, tree, right in trees:
+                if mistake is None or differ(seen(tree), seen(right)):
                     cases[key] = mistake
-                    Path(folder, key + ".json").write_text(json.dumps(wrong))
-        reports = checked(raytree, scene, folder, options)
+                    Path(folder, key + ".json").write_text(json.dumps(FORMS[form](tree)))
+            reports = checked(raytree, scene, folder, options)
         for key, mistake in cases.items():
             where = f"{name} {key.partition('-')[2]} ({form})"
             if mistake:
-                table.judge(mistake, reports[key], where)
+                tables[form].judge(mistake, reports[key], where)
             else:
-                correct.append((where, reports[key]["verdict"], reports[key]["profile"]))
+                correct[form].append((where, reports[key]["verdict"], reports[key]["profile"]))
 
 
 def plant_pairs(raytree, spot, wanted, seed, log=False):
@@ -354,17 +353,19 @@ def main():
         every = list(spots(arguments.raytree, Path(folder), arguments.seed, arguments.quick))
         if arguments.scenes:
             every = [s for s in every if s[0] in arguments.scenes.split(",")]
-        for form in arguments.form or (["everything"] if arguments.quick else FORMS):
-            table, correct = Table(), []
-            for spot in every:
-                plant_all(arguments.raytree, spot, form, table, correct, options,
-                          unknown.planted if arguments.unknown else mistakes.planted)
-            total = table.total()
-            wrong = [c for c in correct if c[1] != "pass"]
+        forms = arguments.form or (["everything"] if arguments.quick else list(FORMS))
+        tables = {form: Table() for form in forms}
+        correct = {form: [] for form in forms}
+        for spot in every:
+            plant_all(arguments.raytree, spot, forms, tables, correct, options,
+                      unknown.planted if arguments.unknown else mistakes.planted)
+        for form in forms:
+            table, total = tables[form], tables[form].total()
+            wrong = [c for c in correct[form] if c[1] != "pass"]
             print(f"{form}: {len(table.rows)} mistakes, {total['changed']} cases, found "
                   f"{total['found']}, named {total['named']}, first {total['first']}, alone "
                   f"{total['alone']}, wrong and sure {total['wrong and sure']}; "
-                  f"right trees {len(correct)}, called wrong {len(wrong)}", flush=True)
+                  f"right trees {len(correct[form])}, called wrong {len(wrong)}", flush=True)
             for line in wrong:
                 print("  right but:", line)
             if arguments.log:
