@@ -14,19 +14,19 @@ bool is_planar(const Place& place, PrimitiveId id) {
     return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
 }
 
-Step backwards(const Step& step) {
-    Step back = step;
-    back.direction = -step.direction;
-    return back;
+/// The model's roots of one shape behind the ray's start.
+Roots2 roots_behind(const Place& place, const Step& step, PrimitiveId id) {
+    const Ray<double> back{step.origin, -step.direction, model::origin_error(step.origin)};
+    return place.shapes.shapes().intersect(id, back, step.leaving);
 }
 
 OwnRoots plane_sign(const Place& place, const Step& step, PrimitiveId id) {
-    return is_planar(place, id) ? OwnRoots(roots_of(place, backwards(step), id)) : std::nullopt;
+    return is_planar(place, id) ? OwnRoots(roots_behind(place, step, id)) : std::nullopt;
 }
 
 /// The lowest root, whatever its sign.
 OwnRoots negative_t(const Place& place, const Step& step, PrimitiveId id) {
-    const Roots2 behind = roots_of(place, backwards(step), id);
+    const Roots2 behind = roots_behind(place, step, id);
     if (behind.count == 0) {
         return std::nullopt;
     }

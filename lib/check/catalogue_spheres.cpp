@@ -143,6 +143,9 @@ OwnRoots own_units(const Place& place, const Step& step, PrimitiveId id) {
         return std::nullopt;
     }
     Roots2 roots = roots_of(place, step, id);
+    if (roots.count == 0) {
+        return roots;
+    }
     const double size = length(own_ray(place, step, id).direction);
     for (double& t : roots.t) {
         t *= size;

@@ -29,6 +29,27 @@ bool is_crowded(const Submission& submission) {
         submission.children, [](const auto& children) { return children.size() > most_children; });
 }
 
+/// Other courses' conventions that explain a submission which is wrong by the profile that was
+/// asked for, or by the lecture's where none was.
+void look_for_conventions(const ProfileFit& fit, const Rulebook& book, const Finding& first,
+                          Report& report) {
+    if (!report.profile_asked_for && report.profile != profiles().front().name) {
+        return;
+    }
+    const bool surely = !report.mistakes.empty() && report.mistakes.front().sure;
+    Choices explain =
+        fit.excuses(book.choices, first, surely ? report.mistakes.front().id : std::string());
+    if (report.profile_asked_for) {
+        report.conventions = std::move(explain);
+        return;
+    }
+    for (const Convention* each : explain) {
+        report.remarks.push_back(
+            "some courses have it so, and nothing else is wrong: " + std::string(each->axis) + '=' +
+            std::string(each->value) + ", " + std::string(each->text));
+    }
+}
+
 }  // namespace
 
 std::size_t Report::causes() const {
@@ -93,25 +114,13 @@ void Checker::judge(const Submission& submission, const Rulebook& book, Report& 
         }
         report.findings.push_back(std::move(finding));
     }
-    const auto first =
-        std::ranges::find_if(judged->findings(), [](const Finding& f) { return !f.follows_from; });
-    const bool by_lecture = &book == &books_.lecture();
-    if (first != judged->findings().end() && (report.profile_asked_for || by_lecture)) {
-        Choices excuses =
-            ProfileFit(books_, submission, options_.rtol).excuses(book.choices, *first);
-        if (report.profile_asked_for) {
-            report.conventions = std::move(excuses);
-        } else {
-            for (const Convention* excuse : excuses) {
-                report.remarks.push_back("some courses have it so, and nothing else is wrong: " +
-                                         std::string(excuse->axis) + '=' +
-                                         std::string(excuse->value) + ", " +
-                                         std::string(excuse->text));
-            }
-        }
-    }
     if (judged->causes() > 0 && options_.name_mistakes && !is_crowded(submission)) {
         diagnose(book.place, book.names, book.laws, submission, options, report);
+    }
+    const auto first =
+        std::ranges::find_if(judged->findings(), [](const Finding& f) { return !f.follows_from; });
+    if (first != judged->findings().end()) {
+        look_for_conventions(ProfileFit(books_, submission, options_.rtol), book, *first, report);
     }
     for (const NamedMistake& mistake : report.mistakes) {
         if (options_.suggest_pixels && !mistake.ties.empty()) {

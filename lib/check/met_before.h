@@ -9,7 +9,8 @@
 namespace raytree::check {
 
 /// What the rays of a submission met when it was worked through before. Under most changes of the
-/// laws they are sent as they were, and meet the same. Of one place only; not from several threads.
+/// laws they are sent as they were, and meet the same; of laws by which they meet otherwise the
+/// last are remembered. Of one place only; not from several threads.
 class MetBefore {
   public:
     /// As `laws.meet`, for the submission's ray of that number.
@@ -21,8 +22,9 @@ class MetBefore {
 
   private:
     struct Sent {
-        std::array<double, 8> numbers{};  ///< origin, direction, from and to where
-        PrimitiveId leaving = no_primitive;
+        std::array<double, 8> numbers{};     ///< origin, direction, from and to where
+        PrimitiveId leaving = no_primitive;  ///< that it starts on
+        PrimitiveId sender = no_primitive;   ///< that its parent hit
         bool is_primary = false;
         bool operator==(const Sent&) const = default;
     };
@@ -36,7 +38,8 @@ class MetBefore {
                                                      Find find);
 
     static constexpr std::size_t most_ = 4096;  // rays, and shadow rays, of which it is remembered
-    std::vector<Entry<std::optional<Hit<double>>>> hits_;
+    std::vector<Entry<std::optional<Hit<double>>>> hits_, other_hits_;
+    decltype(Laws::meet) other_meet_ = nullptr;  ///< by which those are met
     std::vector<Entry<Passage>> passages_;
 };
 

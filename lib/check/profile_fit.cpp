@@ -92,8 +92,13 @@ Choices ProfileFit::shown(const Profile& profile) const {
     return shown.empty() ? seen_in_trees(books_.differences(whole, lecture)) : shown;
 }
 
-Choices ProfileFit::excuses(const Choices& base, const Finding& first) const {
+Choices ProfileFit::excuses(const Choices& base, const Finding& first,
+                            std::string_view mistake) const {
     for (const Choices& choices : books_.alternatives(base)) {
+        const auto [other, of_base] = std::ranges::mismatch(choices, base);
+        if (!mistake.empty() && (*other)->mistake != mistake && !(*other)->mistake.empty()) {
+            continue;
+        }
         if (!explained_by(choices, &first)) {
             continue;
         }

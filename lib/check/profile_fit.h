@@ -25,8 +25,9 @@ class ProfileFit {
     Choices shown(const Profile& profile) const;
 
     /// What other courses do that would make all of it right: one convention, or a course's; none
-    /// where nothing would. `first` is the first cause of a difference by `base`.
-    Choices excuses(const Choices& base, const Finding& first) const;
+    /// where nothing would. `first` is the first cause of a difference by `base`; where it is
+    /// surely `mistake`, only what is that mistake elsewhere is tried.
+    Choices excuses(const Choices& base, const Finding& first, std::string_view mistake) const;
 
   private:
     bool explained_by(const Choices& choices, const Finding* first = nullptr) const;
