@@ -6,7 +6,6 @@ namespace raytree::check {
 namespace {
 
 constexpr std::size_t rays_looked_at = 2000;  // enough to tell courses apart
-constexpr std::size_t few_causes = 20;        // that rounding alone may make
 
 bool is_seen_in_trees(std::string_view axis) { return axis != "quantise" && axis != "gamma"; }
 
@@ -51,17 +50,18 @@ const Profile& ProfileFit::best() const {
 
 /// What is wrong by other conventions at `first` is so by these too where it is hardly less: more
 /// than the submission's rounding is behind it.
-bool ProfileFit::explained_by(const Choices& choices, const Finding* first) const {
+bool ProfileFit::explained_by(const Choices& choices, const Finding* first,
+                              std::size_t less_than) const {
     const Rulebook& book = books_.of(choices);
     ReplayOptions options;
     options.rtol = rtol_;
     options.most_rays = rays_looked_at;
-    options.enough = few_causes;
+    options.enough = less_than;
     if (first && !submission_.precision.is_rounded()) {
         options.give_up_at = key_of(*first);
     }
     const Replay plain = replayed(book, options);
-    if (plain.causes() == 0 || plain.causes() >= few_causes) {
+    if (plain.causes() == 0 || plain.causes() >= less_than) {
         return plain.causes() == 0;
     }
     const auto is_left = [first](const Finding& left) {
@@ -94,12 +94,14 @@ Choices ProfileFit::shown(const Profile& profile) const {
 
 Choices ProfileFit::excuses(const Choices& base, const Finding& first,
                             std::string_view mistake) const {
+    // What explains everything leaves fewer causes, those that rounding makes.
+    const std::size_t less_than = std::min(causes(base, most_), most_);
     for (const Choices& choices : books_.alternatives(base)) {
         const auto [other, of_base] = std::ranges::mismatch(choices, base);
         if (!mistake.empty() && (*other)->mistake != mistake && !(*other)->mistake.empty()) {
             continue;
         }
-        if (!explained_by(choices, &first)) {
+        if (!explained_by(choices, &first, less_than)) {
             continue;
         }
         if (Choices differing = seen_in_trees(books_.differences(choices, base));

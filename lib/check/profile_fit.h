@@ -30,10 +30,14 @@ class ProfileFit {
     Choices excuses(const Choices& base, const Finding& first, std::string_view mistake) const;
 
   private:
-    bool explained_by(const Choices& choices, const Finding* first = nullptr) const;
+    bool explained_by(const Choices& choices) const {
+        return explained_by(choices, nullptr, most_);
+    }
+    bool explained_by(const Choices& choices, const Finding* first, std::size_t less_than) const;
     Replay replayed(const Rulebook& book, const ReplayOptions& options) const;
     std::size_t causes(const Choices& choices, std::size_t enough) const;
 
+    static constexpr std::size_t most_ = 20;  // causes that rounding alone may make
     const Rulebooks& books_;
     const Submission& submission_;
     double rtol_;

@@ -291,7 +291,7 @@ def plant_all(raytree, spot, forms, tables, correct, options, planted):
                 correct[form].append((where, reports[key]["verdict"], reports[key]["profile"]))
 
 
-def plant_pairs(raytree, spot, wanted, seed, log=False):
+def plant_pairs(raytree, spot, wanted, seed, options, log=False):
     """Two mistakes at once: (both named, one, none)."""
     name, scene, pixels = spot
     source, rng = read_source(scene), random.Random(seed)
@@ -321,7 +321,7 @@ def plant_pairs(raytree, spot, wanted, seed, log=False):
                 continue
             cases[f"{a}-{b}"] = (one, other)
             Path(folder, f"{a}-{b}.json").write_text(json.dumps(tree))
-        reports = checked(raytree, scene, folder, ["--profile", "lecture"]) if cases else {}
+        reports = checked(raytree, scene, folder, options) if cases else {}
     for key, names in cases.items():
         said = {x for m in reports[key]["mistakes"] for x in (m["id"], *m["ties"])}
         result[sum(n in said for n in names)] += 1
@@ -381,7 +381,8 @@ def main():
         pairs = collections.Counter()
         pairs_wanted = 0 if arguments.unknown else arguments.pairs
         for k, spot in enumerate(every if pairs_wanted else []):
-            pairs.update(plant_pairs(arguments.raytree, spot, pairs_wanted, k, arguments.log))
+            pairs.update(plant_pairs(arguments.raytree, spot, pairs_wanted, k, options,
+                                     arguments.log))
         if pairs_wanted:
             tried = sum(pairs[n] for n in (0, 1, 2))
             print(f"pairs: {tried}; both named {pairs[2]}, one {pairs[1]}, none {pairs[0]}; "
