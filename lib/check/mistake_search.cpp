@@ -30,6 +30,7 @@ MistakeSearch::MistakeSearch(const Place& place, const Names& names, const Laws&
         if (!finding.follows_from && finding.problem != Problem::whole) {
             held_.insert(key_of(finding));
             rays_.insert(finding.ray);
+            first_error_ = first_ ? first_error_ : finding.error;
             first_ = first_ ? first_ : std::optional(key_of(finding));
         }
     }
@@ -37,9 +38,9 @@ MistakeSearch::MistakeSearch(const Place& place, const Names& names, const Laws&
     options_.truth = nullptr;
     options_.met_before = &met_before_;
     options_.most_rays = rays_looked_at;
-    for (const Key key : keys_under(laws_, options_.enough)) {
-        if (!held_.contains(key)) {
-            excused_.insert(key);
+    for (const Left& left : left_under(laws_, options_.enough)) {
+        if (!held_.contains(left.cause)) {
+            excused_.insert(left.cause);
         }
     }
     all_ = std::max<std::size_t>(held_.size(), 1);
@@ -58,8 +59,13 @@ Laws MistakeSearch::under(std::initializer_list<LawChange> changes) const {
 
 /// Where these laws leave no more than `close`, the submission's rounding may be why.
 Candidate MistakeSearch::attempt(const Laws& changed, std::size_t enough, std::size_t close) const {
-    Candidate candidate = left_by(keys_under(changed, enough));
-    if (candidate.left > 0 && candidate.left <= close && is_rounded()) {
+    const std::vector<Left> causes = left_under(changed, enough);
+    Candidate candidate = left_by(causes);
+    // Where the first is hardly less wrong, rounding is not why.
+    const bool as_wrong = std::ranges::any_of(causes, [this](const Left& left) {
+        return left.cause == first_ && 2 * left.error >= first_error_;
+    });
+    if (candidate.left > 0 && candidate.left <= close && is_rounded() && !as_wrong) {
         // What the student's rounding does to a wrong formula is another thing than what it
         // does to the right one.
         ReplayOptions options = options_;
@@ -67,7 +73,7 @@ Candidate MistakeSearch::attempt(const Laws& changed, std::size_t enough, std::s
         options.met_before = nullptr;
         Slacks own = slacks_of(place_, names_, changed, submission_, options);
         leave_out_leaps(own, submission_.precision);
-        candidate = left_by(keys_under(changed, options.enough, &own));
+        candidate = left_by(left_under(changed, options.enough, &own));
     }
     return candidate;
 }
@@ -83,34 +89,34 @@ Candidate MistakeSearch::attempt(const Laws& both) const {
 
 bool MistakeSearch::is_rounded() const { return submission_.precision.is_rounded(); }
 
-Candidate MistakeSearch::left_by(const std::vector<Key>& keys) const {
+Candidate MistakeSearch::left_by(const std::vector<Left>& causes) const {
     Candidate candidate;
     candidate.explains_first = true;
-    for (const Key key : keys) {
-        if (!excused_.contains(key)) {
+    for (const auto& [cause, error] : causes) {
+        if (!excused_.contains(cause)) {
             ++candidate.left;
-            candidate.rays.insert(key / 256);
-            candidate.explains_first = candidate.explains_first && key != *first_;
+            candidate.rays.insert(cause / 256);
+            candidate.explains_first = candidate.explains_first && cause != *first_;
         }
     }
     return candidate;
 }
 
-std::vector<MistakeSearch::Key> MistakeSearch::keys_under(const Laws& laws, std::size_t enough,
-                                                          const Slacks* slacks) const {
+std::vector<MistakeSearch::Left> MistakeSearch::left_under(const Laws& laws, std::size_t enough,
+                                                           const Slacks* slacks) const {
     ReplayOptions options = options_;
     options.enough = enough;
     options.excused = excused_.empty() ? nullptr : &excused_;
     options.slacks = slacks ? slacks : options.slacks;
     Replay replay(place_, names_, laws, submission_, options);
     replay.run();
-    std::vector<Key> keys;
+    std::vector<Left> causes;
     for (const Finding& finding : replay.findings()) {
         if (!finding.follows_from) {
-            keys.push_back(key_of(finding));
+            causes.push_back({key_of(finding), finding.error});
         }
     }
-    return keys;
+    return causes;
 }
 
 }  // namespace raytree::check

@@ -41,11 +41,16 @@ class MistakeSearch {
   private:
     using Key = std::uint64_t;  // of a finding
 
+    struct Left {
+        Key cause;
+        double error;
+    };
+
     bool is_rounded() const;
     Candidate attempt(const Laws& changed, std::size_t enough, std::size_t close) const;
-    Candidate left_by(const std::vector<Key>& keys) const;
-    std::vector<Key> keys_under(const Laws& laws, std::size_t enough,
-                                const Slacks* slacks = nullptr) const;
+    Candidate left_by(const std::vector<Left>& causes) const;
+    std::vector<Left> left_under(const Laws& laws, std::size_t enough,
+                                 const Slacks* slacks = nullptr) const;
 
     const Place& place_;
     const Names& names_;
@@ -56,6 +61,7 @@ class MistakeSearch {
     std::set<Key> held_, excused_;
     std::set<std::size_t> rays_;
     std::optional<Key> first_;
+    double first_error_ = 0;
     std::size_t all_ = 1;
 };
 
