@@ -43,6 +43,15 @@ TEST_CASE("app: what a sum does not notice is shown as 0, and copied with its di
     CHECK(row->cells[1] != "0");  // 0.25 + 0.25e-15 is not 0.25
     CHECK(row->cells[2] == "0");
     CHECK(row->values == std::vector<double>{2e-141, 0.25 * 1e-15, 1e-39});
+    // Little of it has its decimals, so that the column is no wider for it.
+    ray.specular = {4.35e-13, 0.02, 3e-4};
+    const auto some = details_of(tree, 0);
+    CHECK(find_row(some, "+ specular")->cells ==
+          std::vector<std::string>{"0.00000", "0.02000", "0.00030"});
+    ray.specular = Rgb<double>(4.35e-13);
+    const auto little = details_of(tree, 0);
+    CHECK(find_row(little, "+ specular")->cells == std::vector<std::string>(3, "0.00000"));
+    CHECK(find_row(little, "+ specular")->values == std::vector<double>(3, 4.35e-13));
     // Of an intensity that is as small, it is all there is.
     ray.intensity = ray.specular;
     const auto small = details_of(tree, 0);

@@ -27,11 +27,11 @@ template <class Triple> Row triple_row(std::string label, const Triple& triple) 
     return {std::move(label), aligned(triple), Weight::normal, false, {}, values_of(triple)};
 }
 
-/// What a sum does not notice is shown as 0. Copied, it has all of its digits.
+/// What a sum does not notice is shown as 0, and little of it with its decimals. Copied, it has all
+/// of its digits.
 Row summand_row(std::string label, const Rgb<double>& part, const Rgb<double>& sum) {
-    Row row = triple_row(std::move(label), noticed(part, sum));
-    row.values = values_of(part);
-    return row;
+    std::vector<std::string> texts = aligned_with(sum, noticed(part, sum));
+    return {std::move(label), std::move(texts), Weight::normal, false, {}, values_of(part)};
 }
 
 Row heading_row(std::vector<std::string> cells) {

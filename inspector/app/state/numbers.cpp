@@ -19,20 +19,26 @@ std::string printed(double value, std::chars_format format, int precision) {
     return zero && text.starts_with('-') ? text.substr(1) : text;
 }
 
-}  // namespace
+constexpr double least_plain = 1e-3, most_plain = 1e6;
 
-std::vector<std::string> aligned(std::span<const double> values, int digits) {
+bool is_plain(double value) { return value >= least_plain && value < most_plain; }
+
+double largest_of(std::span<const double> values) {
     double largest = 0;
     for (const double value : values) {
         largest = std::max(largest, std::abs(value));
     }
-    const bool plain = largest == 0 || (largest >= 1e-3 && largest < 1e6);
+    return largest;
+}
+
+/// With as many decimals as give `largest` so many digits.
+std::vector<std::string> beneath(double largest, std::span<const double> values, int digits) {
     const int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
     std::vector<std::string> texts;
     for (const double value : values) {
         if (value == 0) {
             texts.emplace_back("0");
-        } else if (plain) {
+        } else if (is_plain(largest)) {
             // Numbers below 1 keep the places of those above it: they stand in one column.
             const int decimals = std::clamp(digits - 1 - std::max(exponent, 0), 0, 9);
             texts.push_back(printed(value, std::chars_format::fixed, decimals));
@@ -41,6 +47,17 @@ std::vector<std::string> aligned(std::span<const double> values, int digits) {
         }
     }
     return texts;
+}
+
+}  // namespace
+
+std::vector<std::string> aligned(std::span<const double> values, int digits) {
+    return beneath(largest_of(values), values, digits);
+}
+
+std::vector<std::string> aligned_with(const Rgb<double>& sum, const Rgb<double>& part) {
+    const double whole = largest_of(channels(sum)), own = largest_of(channels(part));
+    return beneath(own < least_plain && is_plain(whole) ? whole : own, channels(part), 6);
 }
 
 std::vector<std::string> aligned(const Vec3<double>& v, int digits) {

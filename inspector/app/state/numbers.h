@@ -16,6 +16,9 @@ namespace raytree::inspector {
 std::vector<std::string> aligned(std::span<const double> values, int digits = 6);
 std::vector<std::string> aligned(const Vec3<double>& v, int digits = 6);
 std::vector<std::string> aligned(const Rgb<double>& c, int digits = 6);
+/// As they stand above their sum: with its decimals, where they are too small to have ones of their
+/// own that it would notice.
+std::vector<std::string> aligned_with(const Rgb<double>& sum, const Rgb<double>& part);
 
 /// "0.274  0.341  0.460": three decimals, for lists.
 std::string rgb_text(const Rgb<double>& c);
