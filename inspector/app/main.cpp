@@ -2,11 +2,13 @@
 
 #include <cstdio>
 #include <exception>
+#include <future>
 #include <memory>
 #include <span>
 
 #include "arguments.h"
 #include "lesson/lesson_folder.h"
+#include "state/start_pixel.h"
 #include "state/state.h"
 
 namespace raytree::inspector {
@@ -34,26 +36,17 @@ std::string first_lesson(const std::filesystem::path& folder) {
     }
 }
 
-void open_lesson(State& state, const std::string& name, int step) {
-    const auto& folder = state.lesson_folder();
+FirstView lesson_view(const std::filesystem::path& folder, const std::string& name, int step) {
     const auto lesson = lesson::load_lesson(folder.empty() ? lesson::own_lessons() : folder, name);
     if (static_cast<std::size_t>(step) > lesson->steps.size()) {
         throw InputError("", "--step",
                          "found " + std::to_string(step) + ", must be a whole number from 1 to " +
                              std::to_string(lesson->steps.size()));
     }
-    state.open_lesson(lesson, static_cast<std::size_t>(step - 1));
+    return [=](State& state) { state.open_lesson(lesson, static_cast<std::size_t>(step - 1)); };
 }
 
-void open_first(State& state, const Arguments& arguments) {
-    state.set_lesson_folder(arguments.lessons.value_or(""));
-    const bool alone = !arguments.file && !arguments.pixel;
-    const std::string name =
-        arguments.lesson.value_or(alone ? first_lesson(state.lesson_folder()) : "");
-    if (!name.empty() || arguments.lesson) {
-        open_lesson(state, name, arguments.step);
-        return;
-    }
+FirstView scene_view(const Arguments& arguments) {
     Opened opened = open_file(arguments.file.value_or(RAYTREE_FIRST_SCENE), arguments.scene);
     if (arguments.pixel) {
         if (!opened.document->contains(*arguments.pixel)) {
@@ -65,8 +58,28 @@ void open_first(State& state, const Arguments& arguments) {
                                  text_of(Pixel{camera.width - 1, camera.height - 1}));
         }
         opened.pixel = arguments.pixel;
+    } else if (!opened.pixel) {
+        opened.pixel = start_pixel(*opened.document);
     }
-    state.show(opened);
+    return [=](State& state) { state.show(opened); };
+}
+
+/// Reads what is shown first.
+FirstView first_view(const Arguments& arguments) {
+    const std::filesystem::path folder = arguments.lessons.value_or("");
+    const bool alone = !arguments.file && !arguments.pixel;
+    const std::string name = arguments.lesson.value_or(alone ? first_lesson(folder) : "");
+    const FirstView view = !name.empty() || arguments.lesson
+                               ? lesson_view(folder, name, arguments.step)
+                               : scene_view(arguments);
+    if (!arguments.compare) {
+        return view;
+    }
+    const auto recorded = read_recorded(*arguments.compare);
+    return [=](State& state) {
+        view(state);
+        state.compare_with(recorded);
+    };
 }
 
 int run(int argc, char** argv) {
@@ -80,21 +93,20 @@ int run(int argc, char** argv) {
         std::puts("raytree " RAYTREE_VERSION);
         return 0;
     }
-    State state;
-    open_first(state, arguments);
+    auto reading = std::async(std::launch::async, first_view, arguments);
     const auto display = open_display();
     if (!display) {
+        reading.get();  // a file that cannot be read is the worse of two mistakes
         std::fputs(
             "raytree-inspector: there is no display to open a window on (DISPLAY); "
             "xvfb-run gives one to programs on machines without\n",
             stderr);
         return no_display;
     }
-    if (arguments.compare) {
-        state.compare_with(read_recorded(*arguments.compare));
-    }
+    State state;
+    state.set_lesson_folder(arguments.lessons.value_or(""));
     state.change_look([&](Look& look) { look.theme = arguments.theme; });
-    return run_window(argc, argv, state, arguments.window);
+    return run_window(argc, argv, state, std::move(reading), arguments.window);
 }
 
 }  // namespace

@@ -33,15 +33,33 @@ void wait_until_drawn(const State& state, MainWindow& window) {
     };
     QTimer look_again;
     look_again.start(20);
-    while (is_coming() && time.elapsed() < longest_wait) {
-        QApplication::processEvents(QEventLoop::WaitForMoreEvents);  // rests, unlike with a time
-    }
-    const int frames = window.scene_pane().frames();
-    window.scene_pane().draw_again();
-    for (int k = 0; k < 200 && window.scene_pane().frames() == frames; ++k) {
-        QApplication::processEvents(QEventLoop::AllEvents, 10);
-    }
+    do {
+        while (is_coming() && time.elapsed() < longest_wait) {
+            QApplication::processEvents(
+                QEventLoop::WaitForMoreEvents);  // rests, unlike with a time
+        }
+        const int frames = window.scene_pane().frames();
+        window.scene_pane().draw_again();
+        for (int k = 0; k < 200 && window.scene_pane().frames() == frames; ++k) {
+            QApplication::processEvents(QEventLoop::AllEvents, 10);
+        }
+    } while (is_coming() && time.elapsed() < longest_wait);
     QApplication::processEvents();
+}
+
+/// What takes long to read is waited for by a window that answers. Where it has been closed by
+/// then, nobody wants it any longer.
+void wait_until_read(State& state, const MainWindow& window, std::future<FirstView>& reading) {
+    using namespace std::chrono_literals;
+    state.say("Reading what is to be shown…");
+    while (reading.wait_for(10ms) != std::future_status::ready) {
+        QApplication::processEvents();
+        if (!window.isVisible()) {
+            std::_Exit(0);
+        }
+    }
+    state.say({});
+    reading.get()(state);
 }
 
 /// What a script does next may be about the tree that it has just asked for.
@@ -67,7 +85,8 @@ void prepare_qt() {
     QSurfaceFormat::setDefaultFormat(format);
 }
 
-int run_window(int& argc, char** argv, State& state, const WindowOptions& options) {
+int run_window(int& argc, char** argv, State& state, std::future<FirstView> reading,
+               const WindowOptions& options) {
     prepare_qt();
     // A screenshot has the size asked for on every display.
     QApplication::setAttribute(options.screenshot || options.contact_sheet
@@ -78,10 +97,17 @@ int run_window(int& argc, char** argv, State& state, const WindowOptions& option
     QApplication::setOrganizationName(QStringLiteral("raytree"));
     QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
 
-    // The panes are told of what is open by its being shown once more.
+    const bool is_read = reading.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    if (is_read) {
+        reading.get()(state);
+    }
     MainWindow window(state);
     window.resize(options.width, options.height);
     window.show();
+    if (!is_read) {
+        wait_until_read(state, window, reading);
+    }
+    // The panes are told of what is open by its being shown once more.
     state.show_again();
     state.show_lesson_view();
     if (!options.screenshot && !options.contact_sheet) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +23,13 @@ struct WindowOptions {
 /// version of its own.
 void prepare_qt();
 
-/// Shows the state in a window until it is closed. There must be a display. Returns the exit code;
-/// throws InputError where a line of the script or the
-/// screenshot fails.
-int run_window(int& argc, char** argv, State& state, const WindowOptions& options);
+/// Shows in a state what has been read.
+using FirstView = std::function<void(State&)>;
+
+/// Shows the state in a window until it is closed, what is shown first as soon as it has been read.
+/// There must be a display. Returns the exit code; throws InputError where reading, a line of the
+/// script or the screenshot fails.
+int run_window(int& argc, char** argv, State& state, std::future<FirstView> reading,
+               const WindowOptions& options);
 
 }  // namespace raytree::inspector
