@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/scenes.h"
+#include "drawing/coverage.h"
 #include "drawing/ground.h"
 #include "drawing/polygon_fill.h"
 #include "drawing/ray_mesh.h"
@@ -75,6 +76,24 @@ TEST_CASE("app: what is fitted fills the screen but for the margin") {
         // It touches the margin in one direction.
         CHECK((bottom - top > 355 || right - left > 715));
     }
+}
+
+TEST_CASE("app: balls are told to stand before a thing where they may hide some of it") {
+    const View view = square_view();
+    Mesh thing;
+    add_ball(thing, {0.2, 0.1, 0}, 0.1, {});
+    Coverage covered(view);
+    CHECK_FALSE(covered.is_behind({0.2, 0.1, 1}, 0.1));
+    covered.add(thing);
+    for (std::size_t k = 0; k < thing.points.size(); k += 3) {
+        const Point3 point(thing.points[k], thing.points[k + 1], thing.points[k + 2]);
+        for (const double nearer : {0.02, 0.3, 0.9}) {
+            CHECK(covered.is_behind(point + nearer * (view.eye - point), 0.01));
+        }
+    }
+    CHECK_FALSE(covered.is_behind({0.2, 0.1, -1}, 0.1));  // farther away
+    CHECK_FALSE(covered.is_behind({-0.5, 0.1, 2}, 0.1));  // beside it
+    CHECK(covered.is_behind({0.2, 0.1, -1}, 1.5));        // around it
 }
 
 TEST_CASE("app: convex and concave polygons are filled with their own area") {

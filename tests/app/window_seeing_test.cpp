@@ -363,6 +363,40 @@ class WindowSeeingTest : public test::ShownWindow {
         }
         QVERIFY(compared > 0);
     }
+
+    /// Many shapes are first seen roughly, then as they are: to the last bit what is seen of them
+    /// where they are drawn in one go.
+    void many_shapes_are_drawn_little_by_little() {
+        ScenePane& pane = window_->scene_pane();
+        window_->picture_pane().setFocus();  // no frame around the view
+        for (const char* const style : {"shapes.see_through", "shapes.solid", "shapes.wire"}) {
+            run_command(state_, style);
+            QTRY_VERIFY(pane.keeps());  // laid out by now
+            QImage seen[2];
+            for (const int many : {1'000'000'000, 100}) {
+                pane.set_many(many);
+                pane.grab();
+                QCOMPARE(pane.has_shapes(), many > 100);
+                const QImage rough = pane.grab().toImage();
+                QTRY_VERIFY(pane.keeps());
+                seen[many == 100] = pane.grab().toImage();
+                QVERIFY(pane.has_shapes());
+                // Rough is no other view: few pixels differ clearly.
+                const int wrong = different(rough, seen[many == 100]);
+                QVERIFY2(wrong < rough.width() * rough.height() / 20,
+                         qPrintable(QString::number(wrong)));
+            }
+            QVERIFY2(seen[0] == seen[1], style);
+        }
+        pane.set_many(100);
+        pane.grab();
+        QVERIFY(!pane.has_shapes());
+        const QImage image = pane.grabbed(pane).toImage();
+        QTRY_VERIFY(pane.keeps());
+        QVERIFY(different(image, pane.grab().toImage()) < image.width() * image.height() / 100);
+        pane.set_many(1'000'000'000);
+        run_command(state_, "shapes.see_through");
+    }
 };
 
 }  // namespace raytree::inspector

@@ -53,7 +53,8 @@ Coverage::Corner Coverage::between(const Corner& from, const Corner& to, double 
 
 /// Of a thin triangle, the cells along its longest side; of another one, the box around it.
 void Coverage::add_triangle(const Corner& a, const Corner& b, const Corner& c) {
-    if (std::max({a.depth, b.depth, c.depth}) < nearest_) {
+    const double depth = std::max({a.depth, b.depth, c.depth});
+    if (depth < nearest_) {
         return;
     }
     const std::array<Corner, 3> corners = {a, b, c};
@@ -67,7 +68,7 @@ void Coverage::add_triangle(const Corner& a, const Corner& b, const Corner& c) {
     const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
     constexpr double small = 2;  // cells
     if (right - left < small && bottom - top < small) {
-        mark_box(left, top, right, bottom);
+        mark_box(left, top, right, bottom, depth);
         return;
     }
     const double twice_area =
@@ -80,14 +81,14 @@ void Coverage::add_triangle(const Corner& a, const Corner& b, const Corner& c) {
         longest = length(k) > length(longest) ? k : longest;
     }
     if (twice_area < 0.7 * length(longest)) {
-        mark_line(p[longest], p[(longest + 1) % 3]);
+        mark_line(p[longest], p[(longest + 1) % 3], depth);
     } else {
-        mark_box(left, top, right, bottom);
+        mark_box(left, top, right, bottom, depth);
     }
 }
 
 /// The line's cells and those beside them.
-void Coverage::mark_line(Place from, Place to) {
+void Coverage::mark_line(Place from, Place to, double depth) {
     const Place way{to.x - from.x, to.y - from.y};
     // Only where it crosses the screen (Liang & Barsky 1984).
     double first = 0, last = 1;
@@ -109,34 +110,38 @@ void Coverage::mark_line(Place from, Place to) {
     for (int k = 0; k <= steps && first <= last; ++k) {
         const double s = first + (last - first) * k / steps;
         const double x = from.x + s * way.x, y = from.y + s * way.y;
-        mark_box(x - 0.5, y - 0.5, x + 0.5, y + 0.5);
+        mark_box(x - 0.5, y - 0.5, x + 0.5, y + 0.5, depth);
     }
 }
 
-void Coverage::mark_box(double left, double top, double right, double bottom) {
+void Coverage::mark_box(double left, double top, double right, double bottom, double depth) {
+    // A float that is no smaller.
+    const float far = std::nextafter(static_cast<float>(depth), INFINITY);
     const int l = static_cast<int>(std::max(0.0, std::floor(left - 0.25)));
     const int r = static_cast<int>(std::min(columns_ - 1.0, std::floor(right + 0.25)));
     const int b = static_cast<int>(std::min(rows_ - 1.0, std::floor(bottom + 0.25)));
     for (int j = static_cast<int>(std::max(0.0, std::floor(top - 0.25))); j <= b; ++j) {
         for (int i = l; i <= r; ++i) {
-            cells_[static_cast<std::size_t>(j * columns_ + i)] = true;
+            float& cell = cells_[static_cast<std::size_t>(j * columns_ + i)];
+            cell = std::max(cell, far);
         }
     }
 }
 
-bool Coverage::meets(const Point3& centre, double radius) const {
+bool Coverage::is_behind(const Point3& centre, double radius) const {
     const Corner at = corner(centre);
-    if (at.depth - radius < nearest_) {
+    const double near = at.depth - radius;
+    if (near < nearest_) {
         return at.depth + radius > nearest_;
     }
     const Place p = place(at);
-    const double reach = radius * scale_ / (at.depth - radius);
+    const double reach = radius * scale_ / near;
     const int l = static_cast<int>(std::max(0.0, std::floor(p.x - reach)));
     const int r = static_cast<int>(std::min(columns_ - 1.0, std::floor(p.x + reach)));
     const int b = static_cast<int>(std::min(rows_ - 1.0, std::floor(p.y + reach)));
     for (int j = static_cast<int>(std::max(0.0, std::floor(p.y - reach))); j <= b; ++j) {
         for (int i = l; i <= r; ++i) {
-            if (cells_[static_cast<std::size_t>(j * columns_ + i)]) {
+            if (static_cast<double>(cells_[static_cast<std::size_t>(j * columns_ + i)]) >= near) {
                 return true;
             }
         }

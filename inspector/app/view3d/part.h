@@ -4,13 +4,13 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "drawing/mesh.h"
+#include "view3d/range_mapper.h"
 
 namespace raytree::inspector {
 
@@ -29,7 +29,7 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::int32_t>& corners, int of_e
 /// One drawn thing: its data, and how it is drawn. It is hidden until it has something to show.
 struct Part {
     vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<RangeMapper> mapper;
     vtkNew<vtkActor> actor;
 
     Part();

@@ -134,7 +134,6 @@ struct Scene3d::Parts {
             const auto image = image_of(columns, rows, pixels, by);
             smooth->SetInputData(image);
             squares->SetInputData(image);
-            renderer->forget();
         }
     }
 
@@ -145,6 +144,10 @@ struct Scene3d::Parts {
             shape_shader_place, true,
             style == ShapeStyle::solid ? solid_code() : see_through_code(palette.shape_line),
             false);
+        if (style == ShapeStyle::see_through) {
+            // Where pixels may be discarded, software computes those too that the stencil hides.
+            shader->AddFragmentShaderReplacement("discard;", true, "", true);
+        }
     }
 };
 
@@ -160,7 +163,7 @@ Scene3d::Scene3d() : parts_(std::make_unique<Parts>()) {
     // In the order in which what is see-through is laid over each other.
     p.renderer->add_standing(p.shapes.actor, p.shapes_over.actor);
     p.renderer->add_standing(p.edges.actor, p.edges.actor);
-    p.renderer->add_standing(p.picture.actor, p.picture.actor);
+    p.renderer->add_cover(p.picture.actor);
     for (Part* part :
          {&p.explained_faces, &p.explained_lines, &p.explained, &p.mark_lines, &p.marks,
           &p.ray_lines, &p.rays, &p.halo, &p.fading, &p.angles, &p.faint_angles}) {
@@ -186,7 +189,7 @@ vtkGenericOpenGLRenderWindow* Scene3d::window() const { return parts_->window; }
 void Scene3d::set_theme(const Palette& palette) {
     parts_->palette = palette;
     set_background(parts_->renderer, palette);
-    parts_->renderer->forget();
+    parts_->renderer->forget_all();
 }
 
 void Scene3d::set_shapes(const SceneMesh& mesh, ShapeStyle style) {
@@ -255,7 +258,6 @@ void Scene3d::set_picture_place(const std::array<Point3, 4>& corners, bool squar
     data->GetPointData()->SetTCoords(
         array_of<vtkFloatArray>(std::vector<float>{0, 0, 1, 0, 1, 1, 0, 1}, 2));
     parts_->picture.actor->SetVisibility(shown && !parts_->pixels.empty());
-    parts_->renderer->forget();
 }
 
 void Scene3d::set_view(const View& view) {
@@ -272,7 +274,14 @@ void Scene3d::set_view(const View& view) {
 }
 
 void Scene3d::keep() { parts_->renderer->keep(); }
+bool Scene3d::is_keeping() const { return parts_->renderer->is_keeping(); }
 bool Scene3d::keeps() const { return parts_->renderer->keeps(); }
+bool Scene3d::is_rough() const { return parts_->renderer->is_rough(); }
+bool Scene3d::draw_more(std::chrono::milliseconds time) {
+    return parts_->renderer->draw_more(time);
+}
+void Scene3d::draw_at_once(bool yes) { parts_->renderer->draw_at_once(yes); }
+void Scene3d::set_many(int many) { parts_->renderer->set_many(many); }
 
 void Scene3d::render() { parts_->window->Render(); }
 

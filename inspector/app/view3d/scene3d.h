@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -39,11 +40,20 @@ class Scene3d {
     /// Its pixels are `squares` where they are large enough to be seen, else smoothed.
     void set_picture_place(const std::array<Point3, 4>& corners, bool squares, bool shown);
     void set_view(const View& view);
-    /// Shapes, picture and view stay the same for a while: the next frame is drawn in a way that
-    /// makes those after it quick.
+    /// Shapes and view stay the same for a while: the next frame is drawn in a way that makes those
+    /// after it quick.
     void keep();
+    bool is_keeping() const;
     /// Whether the last frame was drawn so.
     bool keeps() const;
+    /// Whether the last frame showed many shapes roughly: then `draw_more` draws them as they are,
+    /// for about so long between frames, and returns whether the next frame may show that.
+    bool is_rough() const;
+    bool draw_more(std::chrono::milliseconds time);
+    /// Whether frames show everything as it is, no matter how long drawing it takes.
+    void draw_at_once(bool yes);
+    /// From how many triangles and lines on shapes are many.
+    void set_many(int many);
     void render();
 
   private:

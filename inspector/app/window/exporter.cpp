@@ -51,17 +51,17 @@ void Exporter::obey(const Changes& changes) {
     if (changes.request == Request::export_picture) {
         write_picture(changes.text);
     } else if (changes.request == Request::export_window) {
-        write_output(changes.text, png_of(*window_));
+        write_output(changes.text, png_of(view_->grabbed(*window_).toImage()));
         state_.say("Written: " + changes.text);
     } else if (changes.request == Request::export_view) {
         write_view(changes.text);
     } else if (changes.request == Request::copy_text) {
         QApplication::clipboard()->setText(qt(changes.text));
     } else if (changes.request == Request::copy_window) {
-        QApplication::clipboard()->setPixmap(window_->grab());
+        QApplication::clipboard()->setPixmap(view_->grabbed(*window_));
         state_.say("The window has been copied.");
     } else if (changes.request == Request::copy_view) {
-        QApplication::clipboard()->setPixmap(view_->grab());
+        QApplication::clipboard()->setPixmap(view_->grabbed(*view_));
         state_.say("The 3D view has been copied.");
     }
 }

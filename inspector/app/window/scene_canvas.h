@@ -24,6 +24,7 @@ class SceneCanvas : public QVTKOpenGLNativeWidget {
             setAttribute(Qt::WA_UpdatesDisabled, true);
             renderWindow()->Render();
             setAttribute(Qt::WA_UpdatesDisabled, false);
+            pane_->finish_frame();
         }
         QVTKOpenGLNativeWidget::paintGL();
     }

@@ -31,10 +31,8 @@ ScenePane::ScenePane(State& state, PictureFeed& feed, QWidget* parent)
     setMinimumSize(240, 180);
     settled_.setSingleShot(true);
     settled_.setInterval(settle_time);
-    connect(&settled_, &QTimer::timeout, this, [this] {
-        scene3d_.keep();
-        redraw();
-    });
+    connect(&settled_, &QTimer::timeout, this, &ScenePane::settle);
+    connect(&drawing_, &QTimer::timeout, this, &ScenePane::draw_more);
     meshed_.setInterval(20);
     connect(&meshed_, &QTimer::timeout, this, [this] {
         if (take_mesh({})) {
@@ -203,7 +201,9 @@ QImage ScenePane::image(QSize size) {
     };
     take_size(size);
     const auto patience = std::exchange(mesh_patience_, std::chrono::minutes(1));
+    scene3d_.draw_at_once(true);
     const QImage frame = canvas_->grabFramebuffer();
+    scene3d_.draw_at_once(false);
     // Onto black, as the screen shows it: converted, what is see-through would become lighter.
     QImage image(frame.size(), QImage::Format_RGB32);
     image.setDevicePixelRatio(frame.devicePixelRatio());
@@ -218,6 +218,14 @@ QImage ScenePane::image(QSize size) {
     take_size(this->size());
     view_ = before;
     redraw();
+    return image;
+}
+
+QPixmap ScenePane::grabbed(QWidget& widget) {
+    scene3d_.draw_at_once(true);
+    redraw();
+    const QPixmap image = widget.grab();
+    scene3d_.draw_at_once(false);
     return image;
 }
 

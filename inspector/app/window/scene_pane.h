@@ -1,6 +1,7 @@
 #pragma once
 
-#include <QElapsedTimer>
+#include <QPixmap>
+#include <QTimer>
 #include <QWidget>
 #include <initializer_list>
 #include <memory>
@@ -33,14 +34,18 @@ class ScenePane : public QWidget {
     const View& view() const { return view_; }
     /// How many frames have been drawn.
     int frames() const { return frames_; }
-    /// Whether the shapes that are drawn are those of the scene shown.
-    bool has_shapes() const { return !meshing_; }
+    /// Whether the shapes that are drawn are those of the scene shown, all of them as they are.
+    bool has_shapes() const { return !meshing_ && !scene3d_.is_rough(); }
     /// Whether the last frame drew no more than rays over shapes that had stood still.
     bool keeps() const { return scene3d_.keeps(); }
     /// Asks for a frame with everything as it is now.
     void draw_again() { redraw(); }
     /// What the pane shows, drawn at another size.
     QImage image(QSize size);
+    /// An image of a widget that holds the view, which shows all shapes as they are.
+    QPixmap grabbed(QWidget& widget);
+    /// From how many triangles and lines on shapes are drawn roughly at first.
+    void set_many(int many);
 
   Q_SIGNALS:
     /// A frame is on the screen.
@@ -73,6 +78,9 @@ class ScenePane : public QWidget {
     /// Hands over what has changed since the last frame; whether anything has.
     bool prepare_frame();
     void redraw();
+    void finish_frame();
+    void settle();
+    void draw_more();
     void drag(QPointF by, bool move);
     void click(QPointF at);
     void show_hint(QPointF at, QPoint global);
@@ -99,8 +107,8 @@ class ScenePane : public QWidget {
     NewestWork<SceneMesh> mesh_work_;
     QTimer meshed_;  ///< asks for it
     bool stale_picture_ = false;
-    QElapsedTimer pictured_;  ///< since the picture was taken last
-    QTimer settled_;          ///< runs out when the view has stood still for a while
+    QTimer settled_;  ///< runs out when the view has stood still for a while
+    QTimer drawing_;  ///< then draws many shapes little by little
     QPointF pressed_, last_;
     bool dragged_ = false;
     int frames_ = 0;

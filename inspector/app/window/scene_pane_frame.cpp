@@ -17,15 +17,7 @@
 /// The 3D view's part in what a frame consists of.
 namespace raytree::inspector {
 
-/// With another picture all shapes are drawn anew; of many, that is not done at every step of it.
 void ScenePane::take_picture() {
-    constexpr std::size_t many = 20'000;  // triangles
-    constexpr qint64 seldom = 300;        // milliseconds
-    const bool may_wait = mesh_.faces.triangle_count() > many && !feed_.done();
-    if (may_wait && pictured_.isValid() && pictured_.elapsed() < seldom) {
-        return;
-    }
-    pictured_.start();
     stale_picture_ = true;
     redraw();
 }
@@ -38,6 +30,34 @@ bool ScenePane::looks_from_the_eye() const {
 void ScenePane::redraw() {
     stale_rays_ = true;
     canvas_->update();
+}
+
+void ScenePane::settle() {
+    scene3d_.keep();
+    scene3d_.is_rough() ? finish_frame() : redraw();
+}
+
+/// Many shapes are shown as they are when all are drawn, and no sooner.
+void ScenePane::finish_frame() {
+    if (scene3d_.is_rough() && scene3d_.is_keeping()) {
+        drawing_.start();
+    }
+}
+
+void ScenePane::draw_more() {
+    constexpr std::chrono::milliseconds glance(25);
+    canvas_->makeCurrent();
+    const bool done = scene3d_.draw_more(glance);
+    canvas_->doneCurrent();
+    if (done) {
+        drawing_.stop();
+        redraw();
+    }
+}
+
+void ScenePane::set_many(int many) {
+    scene3d_.set_many(many);
+    redraw();
 }
 
 bool ScenePane::prepare_frame() {
@@ -57,9 +77,9 @@ bool ScenePane::prepare_frame() {
         const ShownPicture& picture = feed_.picture();
         scene3d_.set_picture(picture.width, picture.height, picture.cells);
         place_picture();
-        settled_.start();
     }
     if (std::exchange(stale_view_, false)) {
+        drawing_.stop();
         settled_.start();
         place_picture();
         if (state_.look().shapes == ShapeStyle::see_through) {
@@ -69,6 +89,10 @@ bool ScenePane::prepare_frame() {
     }
     if (std::exchange(stale_rays_, false)) {
         prepare_rays();
+    }
+    if (!scene3d_.is_keeping() && !settled_.isActive()) {
+        drawing_.stop();
+        settled_.start();
     }
     return changed;
 }
@@ -176,7 +200,7 @@ void ScenePane::lay_shapes_over(std::initializer_list<const Mesh*> things) {
     }
     std::vector<std::size_t> over;
     std::ranges::copy_if(shape_order_, std::back_inserter(over), [&](std::size_t k) {
-        return covered.meets(mesh_.objects[k].centre, mesh_.objects[k].radius);
+        return covered.is_behind(mesh_.objects[k].centre, mesh_.objects[k].radius);
     });
     if (over.size() < shape_order_.size() / 2) {
         scene3d_.set_shapes_over(part_of(mesh_, over, view_.eye));
