@@ -8,7 +8,6 @@ namespace raytree::inspector {
 /// drawn later.
 class RangeMapper : public vtkOpenGLPolyDataMapper {
   public:
-    vtkTypeMacro(RangeMapper, vtkOpenGLPolyDataMapper)
     static RangeMapper* New();
 
     /// How many triangles or lines there are.

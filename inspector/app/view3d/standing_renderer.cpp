@@ -40,7 +40,7 @@ void draw_see_through(std::span<const Actor> actors, vtkRenderer* renderer) {
     }
 }
 
-RangeMapper* ranges_of(vtkActor* actor) { return RangeMapper::SafeDownCast(actor->GetMapper()); }
+RangeMapper* ranges_of(vtkActor* actor) { return dynamic_cast<RangeMapper*>(actor->GetMapper()); }
 
 int half(int length) { return (length + 1) / 2; }
 
