@@ -8,11 +8,11 @@ template <bool any_will_do, class Answers> class Flight {
         : searched_(searched),
           queries_(queries),
           answers_(answers),
-          places_{
-              Places{reinterpret_cast<const char*>(searched.bvh.nodes().data()),
-                     sizeof(WideBvh::Node)},
-              Places{reinterpret_cast<const char*>(searched.filter.of_leaf(Ref::to_leaf(0, 1, 0))),
-                     LeafFilter::numbers * sizeof(float)}} {}
+          places_{Places{address(searched.bvh.nodes().data()), sizeof(WideBvh::Node)},
+                  Places{searched.filter.bytes() > 0  // else there are no copies of shapes
+                             ? address(searched.filter.of_leaf(Ref::to_leaf(0, 1, 0)))
+                             : 0,
+                         LeafFilter::numbers * sizeof(float)}} {}
 
     void run() {
         free_count_ = seats;
@@ -28,11 +28,14 @@ template <bool any_will_do, class Answers> class Flight {
   private:
     static constexpr std::uint32_t seats = 16;
 
-    /// Where what is visited lies.
+    /// Where what is visited lies, to be fetched: a number, as nothing may be there.
     struct Places {
-        const char* first;
+        std::uintptr_t first;
         std::size_t size;
     };
+    static std::uintptr_t address(const void* first) {
+        return reinterpret_cast<std::uintptr_t>(first);
+    }
     struct Seat {
         Traveller ray;
         Waiting<any_will_do> waiting;
@@ -75,9 +78,9 @@ template <bool any_will_do, class Answers> class Flight {
         lists_[list][counts_[list]++] = seat;
         // A place is less than `most_items` of a node too, so no branch is needed to tell them
         // apart.
-        const char* const at = places_[list].first + places_[list].size * s.next.first();
-        for (std::size_t line = 0; line < 4; ++line) {
-            __builtin_prefetch(at + 64 * line);
+        const std::uintptr_t at = places_[list].first + places_[list].size * s.next.first();
+        for (std::uintptr_t line = 0; line < 4; ++line) {
+            __builtin_prefetch(reinterpret_cast<const void*>(at + 64 * line));
         }
     }
 
