@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::string_view topic = "intersection";
 
-bool is_planar(const Place& place, PrimitiveId id) {
-    const ShapeKind kind = place.shapes.shapes()[id].kind;
-    return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
-}
-
 /// The model's roots of one shape behind the ray's start.
 Roots2 roots_behind(const Place& place, const Step& step, PrimitiveId id) {
     const Ray<double> back{step.origin, -step.direction, model::origin_error(step.origin)};

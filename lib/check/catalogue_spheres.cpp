@@ -25,11 +25,6 @@ const Object& object_at(const Place& place, PrimitiveId id) {
     return place.scene().objects[place.shapes.shapes()[id].object];
 }
 
-bool has_one_root(const Place& place, PrimitiveId id) {
-    const ShapeKind kind = place.shapes.shapes()[id].kind;
-    return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
-}
-
 /// The ray in the shape's own space.
 Ray<double> own_ray(const Place& place, const Step& step, PrimitiveId id) {
     const Object& object = object_at(place, id);
@@ -115,7 +110,7 @@ bool starts_within(const Place& place, const Step& step, PrimitiveId id) {
 }
 
 OwnRoots near_only(const Place& place, const Step& step, PrimitiveId id) {
-    if (has_one_root(place, id)) {
+    if (is_planar(place, id)) {
         return std::nullopt;
     }
     const Roots2 roots = roots_of(place, step, id);
@@ -127,7 +122,7 @@ OwnRoots near_only(const Place& place, const Step& step, PrimitiveId id) {
 }
 
 OwnRoots far_root(const Place& place, const Step& step, PrimitiveId id) {
-    if (has_one_root(place, id)) {
+    if (is_planar(place, id)) {
         return std::nullopt;
     }
     const Roots2 roots = roots_of(place, step, id);

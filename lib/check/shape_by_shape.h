@@ -24,6 +24,12 @@ inline Roots2 roots_of(const Place& place, const Step& step, PrimitiveId id) {
     return place.shapes.shapes().intersect(id, ray_of(step), step.leaving);
 }
 
+/// Whether a ray meets the shape at most once.
+inline bool is_planar(const Place& place, PrimitiveId id) {
+    const ShapeKind kind = place.shapes.shapes()[id].kind;
+    return kind == ShapeKind::polygon || kind == ShapeKind::triangle;
+}
+
 /// What a formula gives for one shape; none where it gives what the model does.
 using OwnRoots = std::optional<Roots2>;
 
