@@ -8,6 +8,13 @@ namespace {
 
 constexpr std::size_t lanes_read = 8;  ///< whole registers are read, beyond the last item too
 
+/// The normal of a triangle from the product of two edges, and the product of their lengths; 0
+/// where it is off by more than 2^-30, or where numbers may have underflowed.
+Vec3<double> unit_normal(const Vec3<double>& product, double lengths) {
+    const double size = length(product);
+    return size > 0x1p-20 * lengths && size > 1e-100 ? product / size : Vec3<double>(0);
+}
+
 }  // namespace
 
 LeafFilter::LeafFilter(const ShapeSet<double>& shapes, const WideBvh& bvh) {
@@ -27,7 +34,7 @@ LeafFilter::LeafFilter(const ShapeSet<double>& shapes, const WideBvh& bvh) {
         reach_ = 1 + largest_component(shift);
     } else {
         center_ = bvh.center();
-        exact_.resize(has[triangle] || has[sphere] ? numbers * items : 0);
+        exact_.resize(has[triangle] || has[sphere] ? own_numbers * items : 0);
     }
     cones_.resize(has[cone] ? items : 0);
     bvh.for_each_leaf([&](WideBvh::Ref leaf) { copy_leaf(shapes, bvh, leaf); });
@@ -67,13 +74,9 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
         const Primitive primitive = shapes[bvh.items()[item]];
         if (leaf.kind() == triangle) {
             const auto shape = shapes.triangle(primitive);
-            for (std::size_t k = 0; k < numbers; ++k) {
-                const int axis = static_cast<int>(k % 3);
-                const double number = shape.vertices[k / 3][axis];
-                row[k * n + lane] = static_cast<float>((number - center_[axis]) * scale_);
-                if (!exact_.empty()) {
-                    exact_[numbers * item + k] = number;
-                }
+            copy(shape, row + lane, n);
+            for (std::size_t k = 0; !exact_.empty() && k < own_numbers; ++k) {
+                exact_[own_numbers * item + k] = shape.vertices[k / 3][static_cast<int>(k % 3)];
             }
         } else if (leaf.kind() == sphere) {
             const SphereShape<double>& shape = shapes.sphere(primitive);
@@ -82,12 +85,12 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
                 row[k * n + lane] =
                     static_cast<float>((shape.center[axis] - center_[axis]) * scale_);
                 if (!exact_.empty()) {
-                    exact_[numbers * item + k] = shape.center[axis];
+                    exact_[own_numbers * item + k] = shape.center[axis];
                 }
             }
             row[3 * n + lane] = static_cast<float>(shape.radius * scale_);
             if (!exact_.empty()) {
-                exact_[numbers * item + 3] = shape.radius;
+                exact_[own_numbers * item + 3] = shape.radius;
             }
         } else if (leaf.kind() == cone) {
             const ConeShape<double>& shape = cones_[item] = shapes.cone(primitive);
@@ -104,6 +107,22 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
             row[8 * n + lane] = static_cast<float>(std::hypot(shape.height / 2, radius) * scale_);
         }
     }
+}
+
+void LeafFilter::copy(const TriangleShape<double>& shape, float* lane, std::size_t step) const {
+    for (std::size_t k = 0; k < own_numbers; ++k) {
+        const int axis = static_cast<int>(k % 3);
+        lane[k * step] = static_cast<float>((shape.vertices[k / 3][axis] - center_[axis]) * scale_);
+    }
+    const auto& [a, b, c] = shape.vertices;
+    const Vec3<double> e = (b - a) * scale_, f = (c - a) * scale_;
+    const Vec3<double> normal = unit_normal(outer(e, f), length(e) * length(f));
+    for (std::size_t k = 0; k < 3; ++k) {
+        lane[(9 + k) * step] = static_cast<float>(normal[static_cast<int>(k)]);
+    }
+    const double extent =
+        max_of(largest_component(e), max_of(largest_component(f), largest_component(e - f)));
+    lane[12 * step] = static_cast<float>(extent * (1 + 0x1p-20));
 }
 
 }  // namespace raytree

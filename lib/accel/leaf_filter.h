@@ -16,11 +16,14 @@ class LeafFilter {
     /// What an item of the hierarchy is.
     enum Kind : std::uint8_t { triangle, sphere, cone, other };
 
-    /// Nine floats an item. Of a leaf of n items that begins with item `first`, they begin at
-    /// 9 * first: n numbers of the first kind, then n of the second, and so on. Triangles: x, y
-    /// and z of the first vertex, of the second, of the third; spheres: x, y, z and radius; cones:
-    /// the base, the unit axis, the larger radius.
-    static constexpr std::size_t numbers = 9;
+    /// So many floats an item. Of a leaf of n items that begins with item `first`, they begin at
+    /// numbers * first: n of the first kind, then n of the second, and so on. Triangles: x, y and
+    /// z of the first vertex, of the second, of the third, the unit normal (0 where double hardly
+    /// tells it: a sliver), the largest extent along an axis; spheres: x, y, z and radius; cones:
+    /// the base, the unit axis, the larger radius, the height, the radius of a sphere around all.
+    static constexpr std::size_t numbers = 13;
+    /// The first of them, which are a triangle's or a sphere's own.
+    static constexpr std::size_t own_numbers = 9;
 
     LeafFilter() = default;
     LeafFilter(const ShapeSet<double>& shapes, const WideBvh& bvh);
@@ -49,7 +52,7 @@ class LeafFilter {
       public:
         Exact(const LeafFilter& filter, WideBvh::Ref leaf, std::size_t lane)
             : floats_(filter.of_leaf(leaf) + lane),
-              doubles_(filter.exact_.data() + numbers * (leaf.first() + lane)),
+              doubles_(filter.exact_.data() + own_numbers * (leaf.first() + lane)),
               step_(leaf.count()),
               in_floats_(filter.exact_.empty()),
               inverse_scale_(filter.inverse_scale_) {}
@@ -89,10 +92,11 @@ class LeafFilter {
 
   private:
     void copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, WideBvh::Ref leaf);
+    void copy(const TriangleShape<double>& shape, float* lane, std::size_t step) const;
     bool holds_exactly(const ShapeSet<double>& shapes, const WideBvh& bvh) const;
 
     HugePageVector<float> floats_;
-    HugePageVector<double> exact_;  ///< nine numbers an item; none where the floats are exact
+    HugePageVector<double> exact_;             ///< own numbers by item; none where floats are exact
     HugePageVector<ConeShape<double>> cones_;  ///< by item; none where there are no cones
     Vec3<double> shift_{0.0};                  ///< of this space against that of the boxes
     Vec3<double> center_{0.0};

@@ -1,13 +1,14 @@
 // What a ray meets in a leaf: filtered in float, met in double. Part of kernels.inl.
 
 /// Where the origin may be in the triangle of the points (x, y), an edge function counting as 0
-/// where rounding may have made its sign. With E the bound on a coordinate's error and S the sum of
-/// the six coordinates' sizes, an edge function's is under 2 E S + 4 E^2.
-inline unsigned may_enclose_origin(const F8 (&x)[3], const F8 (&y)[3], const F8& size, float e) {
+/// where rounding may have made its sign. The points are those of a triangle of extent D, sheared
+/// along a line: if the line passes through it they are at most 2 D, and with E the bound on a
+/// coordinate's error an edge function's is under 10 E D + 3 E^2.
+inline unsigned may_enclose_origin(const F8 (&x)[3], const F8 (&y)[3], const F8& extent, float e) {
     const F8 e0 = multiply_subtract(x[2], y[1], y[2] * x[1]);
     const F8 e1 = multiply_subtract(x[0], y[2], y[0] * x[2]);
     const F8 e2 = multiply_subtract(x[1], y[0], y[1] * x[0]);
-    const F8 error = multiply_add(size, F8::all(2 * e), F8::all(4 * e * e));
+    const F8 error = multiply_add(extent, F8::all(16 * e), F8::all(4 * e * e));
     return less_equal(max(max(e0, e1), e2), error) |
            less_equal(F8::all(0) - error, min(min(e0, e1), e2));
 }
@@ -17,7 +18,6 @@ inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
     F8 x[3], y[3];
-    F8 size = F8::all(0);
     for (std::size_t k = 0; k < 3; ++k) {
         const auto coordinate = [&](std::size_t a) {
             return F8::load(rows + (3 * k + ray.axis[a]) * n) - F8::all(ray.origin[a]);
@@ -25,41 +25,29 @@ inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller
         const F8 z = coordinate(2);
         x[k] = subtract_product(coordinate(0), F8::all(ray.shear_x), z);
         y[k] = subtract_product(coordinate(1), F8::all(ray.shear_y), z);
-        size = size + (abs(x[k]) + abs(y[k]));
     }
-    return may_enclose_origin(x, y, size, ray.error);
+    return may_enclose_origin(x, y, F8::load(rows + 12 * n), ray.error);
 }
 
 /// The triangles of a leaf whose planes the ray may meet between its start and its limit: the
-/// plane is met at t = (n . a) / (n . d), with n the product of the edges e and f. With u the
-/// roundoff, h the copies' part in an edge's error and | | the sum of three sizes, n . x has an
-/// error under q |x|, q = 12 u |e||f| + 3 h (|e| + |f| + h), and a one of its own. What is edge-on
-/// within this error may be met anywhere.
+/// plane is met at t = (n . a) / (n . d), with n the unit normal and a the way to a vertex. With u
+/// the roundoff and |a| the sum of three sizes, n . a has an error under 8 u |a| and twice that of
+/// a, n . d one under 16 u. What is edge-on within this error may be met anywhere, and so may a
+/// sliver, whose normal is 0.
 inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
-    constexpr float roundoff = 0x1p-24F;
     const std::size_t n = leaf.count();
     const float* const rows = filter.of_leaf(leaf);
-    F8 a[3], e[3], f[3];
+    F8 distance = F8::all(0), speed = F8::all(0), away = F8::all(0);
     for (std::size_t k = 0; k < 3; ++k) {
-        const F8 corner = F8::load(rows + ray.axis[k] * n);
-        a[k] = corner - F8::all(ray.origin[k]);
-        e[k] = F8::load(rows + (3 + ray.axis[k]) * n) - corner;
-        f[k] = F8::load(rows + (6 + ray.axis[k]) * n) - corner;
-    }
-    F8 distance = F8::all(0), speed = F8::all(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-        const F8 normal = multiply_subtract(e[i], f[j], e[j] * f[i]);
-        distance = multiply_add(normal, a[k], distance);
+        const F8 a = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
+        const F8 normal = F8::load(rows + (9 + ray.axis[k]) * n);
+        distance = multiply_add(normal, a, distance);
         speed = multiply_add(normal, F8::all(ray.direction[k]), speed);
+        away = away + abs(a);
     }
-    const auto size = [](const F8(&v)[3]) { return abs(v[0]) + abs(v[1]) + abs(v[2]); };
-    const F8 size_e = size(e), size_f = size(f);
-    const F8 area = size_e * size_f;
-    const F8 h = F8::all(filter.edge_error());
-    const F8 q =
-        multiply_add(area, F8::all(12 * roundoff), F8::all(3) * (h * (size_e + size_f + h)));
-    const F8 error = multiply_add(q, size(a), area * F8::all(2 * ray.origin_error));
+    constexpr float roundoff = 0x1p-24F;
+    const F8 q = F8::all(16 * roundoff);
+    const F8 error = multiply_add(away, F8::all(8 * roundoff), F8::all(2 * ray.origin_error));
     const F8 ahead = with_sign_of(speed, distance);
     return less_equal(abs(speed), q) |
            (less_equal(F8::all(0) - error, ahead) &
@@ -163,15 +151,19 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
     const double ox = component(line.origin, ray.axis[0]);
     const double oy = component(line.origin, ray.axis[1]);
     const double oz = component(line.origin, ray.axis[2]);
-    std::array<double, 3> px, py;
+    std::array<double, 3> px, py, z;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double z = numbers[3 * k + ray.axis[2]] - oz;
-        px[k] = (numbers[3 * k + ray.axis[0]] - ox) - frame.shear_x * z;
-        py[k] = (numbers[3 * k + ray.axis[1]] - oy) - frame.shear_y * z;
+        z[k] = numbers[3 * k + ray.axis[2]] - oz;
+        px[k] = (numbers[3 * k + ray.axis[0]] - ox) - frame.shear_x * z[k];
+        py[k] = (numbers[3 * k + ray.axis[1]] - oy) - frame.shear_y * z[k];
     }
-    return encloses_origin(px, py)
-               ? intersect_inside(searched.filter.triangle_of(leaf, lane), line, frame, start)
-               : Roots<double>{};
+    if (!encloses_origin(px, py)) {
+        return {};
+    }
+    const auto passage =
+        Passage<double>::between(min_of(z[0], min_of(z[1], z[2])), max_of(z[0], max_of(z[1], z[2])),
+                                 component(line.direction, ray.axis[2]));
+    return intersect_inside(searched.filter.triangle_of(leaf, lane), line, passage, start);
 }
 
 [[gnu::flatten]] inline Roots<double> meet_sphere(const Searched& searched, Ref leaf,

@@ -129,6 +129,7 @@ struct LeafShapes {
     /// Of triangles x, y, z of the first corner, the second and the third; of cones those of the
     /// base and of the axis, and the larger radius.
     std::array<std::array<float, 8>, 9> numbers;
+    std::array<float, 8> extent;  ///< of triangles, along an axis
 
     LeafShapes(const Searched& searched, Ref leaf) {
         const LeafFilter& filter = searched.filter;
@@ -139,6 +140,9 @@ struct LeafShapes {
         const unsigned kind = leaf.kind();
         const F8 half = F8::all(0.5F);
         F8 square = F8::all(0);
+        if (kind == LeafFilter::triangle) {
+            row(12).store(extent.data());
+        }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const F8 first = row(axis) - F8::all(space.shift[axis]);
             F8 low = first, high = first;
@@ -271,7 +275,6 @@ class Lines {
         for (std::size_t half = 0; half < most; half += 8) {
             const F8 shear_x = F8::load(&shear_x_[half]), shear_y = F8::load(&shear_y_[half]);
             F8 x[3], y[3];
-            F8 size = F8::all(0);
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto coordinate = [&](std::size_t axis) {
                     return F8::all(shapes.numbers[3 * k + axis][lane]) -
@@ -280,9 +283,8 @@ class Lines {
                 const F8 z = coordinate(axis_[2]);
                 x[k] = subtract_product(coordinate(axis_[0]), shear_x, z);
                 y[k] = subtract_product(coordinate(axis_[1]), shear_y, z);
-                size = size + (abs(x[k]) + abs(y[k]));
             }
-            met |= may_enclose_origin(x, y, size, error_) << half;
+            met |= may_enclose_origin(x, y, F8::all(shapes.extent[lane]), error_) << half;
         }
         return met;
     }

@@ -12,7 +12,7 @@ struct Traveller {
     RayFrame<double> frame;  ///< for the triangles
 
     // For the filter, on the axes of the frame: the last is the direction's largest.
-    std::array<std::size_t, 3> axis;
+    std::array<int, 3> axis;
     std::array<float, 3> origin;
     std::array<float, 3> direction;
     float shear_x = 0, shear_y = 0;
@@ -32,25 +32,9 @@ inline void begin(const Query<double>& query, Traveller& ray) {
     ray.ready_for_boxes = ray.ready_for_leaves = ray.has_frame = false;
 }
 
-/// A component along an axis that only the ray knows; glm's own way to it has branches, which no
-/// processor could guess.
-inline double component(const Vec3<double>& v, std::size_t axis) { return glm::value_ptr(v)[axis]; }
-
-inline constexpr std::array<int, 5> axes_in_turn = {0, 1, 2, 0, 1};
-
-/// What triangles are met with: as RayFrame chooses its axes, without a branch.
 inline void set_frame(Traveller& ray) {
-    const Vec3<double>& d = ray.query->ray.direction;
-    const double across = std::max(std::abs(d.x), std::abs(d.y));
-    const int z_is_1 = std::abs(d.x) > std::abs(d.y) ? 0 : 1, z_is_2 = std::abs(d.z) > across;
-    const auto z = static_cast<std::size_t>(z_is_1 * (1 - z_is_2) + 2 * z_is_2);
-    RayFrame<double>& frame = ray.frame;
-    frame.x = axes_in_turn[z + 1];
-    frame.y = axes_in_turn[z + 2];
-    frame.z = axes_in_turn[z];
-    ray.axis = {static_cast<std::size_t>(frame.x), static_cast<std::size_t>(frame.y), z};
-    frame.shear_x = component(d, ray.axis[0]) / component(d, z);
-    frame.shear_y = component(d, ray.axis[1]) / component(d, z);
+    std::construct_at(&ray.frame, ray.query->ray.direction);
+    ray.axis = {ray.frame.x, ray.frame.y, ray.frame.z};
     ray.has_frame = true;
 }
 
@@ -73,10 +57,8 @@ inline void make_ready_for_leaves(const Searched& searched, Traveller& ray) {
     const Vec3<double>& d = ray.query->ray.direction;
     set_frame(ray);
     const Vec3<double> o = searched.filter.origin_of(ray.box);
-    constexpr double farthest = 1e18;  // products stay finite; the error is far larger there
     for (std::size_t k = 0; k < 3; ++k) {
-        const double at = component(o, ray.axis[k]);
-        ray.origin[k] = static_cast<float>(std::min(std::max(at, -farthest), farthest));
+        ray.origin[k] = static_cast<float>(component(o, ray.axis[k]));
         ray.direction[k] = static_cast<float>(component(d, ray.axis[k]));
     }
     ray.shear_x = static_cast<float>(ray.frame.shear_x);

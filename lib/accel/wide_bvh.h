@@ -149,6 +149,7 @@ inline void WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& dir
     constexpr float flattest = 1e-18F;
     constexpr double float_roundoff = 0x1p-24;
     constexpr double double_roundoff = 0x1p-53;
+    constexpr double farthest = 1e18;
     constexpr double scene_radius = 2;  // boxes lie within 1 of the centre on each axis
 
     ray.origin = (origin - center_) * scale_;
@@ -159,14 +160,14 @@ inline void WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& dir
         away = length(ray.origin);
         const double skipped = away - scene_radius;
         ray.origin = along(ray.origin, skipped, direction);
+        // Rays that lead away may be so far now that products would be infinite, and the boxes of
+        // children that are not there no numbers, and met. The error is far larger there.
+        for (int axis = 0; axis < 3; ++axis) {
+            ray.origin[axis] = std::min(std::max(ray.origin[axis], -farthest), farthest);
+        }
         ray.start = skipped / scale_;
     }
-    ray.error = 16 * double_roundoff * (away + 1);
-    // Infinite biases would make the boxes of children that are not there no numbers, and met.
-    const auto bias = [](double x) {
-        constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
-        return static_cast<float>(std::min(std::max(x, -largest), largest));
-    };
+    ray.error = std::min(16 * double_roundoff * (away + 1), 16 * farthest);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int a = static_cast<int>(axis);
         const auto slope = static_cast<float>(direction[a]);
@@ -176,8 +177,8 @@ inline void WideBvh::prepare(const Vec3<double>& origin, const Vec3<double>& dir
         // rest is what double has lost on the way from a far origin.
         const double reach = std::abs(ray.origin[a]) + 1;
         const double error = std::abs(inverse) * (8 * float_roundoff * reach + ray.error);
-        ray.near_bias[axis] = bias(inverse * ray.origin[a] + error);
-        ray.far_bias[axis] = bias(inverse * ray.origin[a] - error);
+        ray.near_bias[axis] = static_cast<float>(inverse * ray.origin[a] + error);
+        ray.far_bias[axis] = static_cast<float>(inverse * ray.origin[a] - error);
     }
 }
 

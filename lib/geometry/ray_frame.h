@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 
 #include "geometry/ray.h"
@@ -17,33 +19,49 @@ template <class T> struct RayFrame {
 
     RayFrame() = default;
     explicit RayFrame(const Vec3<T>& d) {
-        z = abs(d.x) > abs(d.y) ? 0 : 1;
-        z = abs(d.z) > abs(d[z]) ? 2 : z;
-        x = (z + 1) % 3;
-        y = (z + 2) % 3;
-        shear_x = d[x] / d[z];
-        shear_y = d[y] / d[z];
+        // Products in place of branches: which axis it is no processor can guess.
+        const int x_or_y = abs(d.x) > abs(d.y) ? 0 : 1;
+        const int is_z = abs(d.z) > max_of(abs(d.x), abs(d.y)) ? 1 : 0;
+        z = x_or_y * (1 - is_z) + 2 * is_z;
+        x = axes_in_turn[static_cast<std::size_t>(z + 1)];
+        y = axes_in_turn[static_cast<std::size_t>(z + 2)];
+        shear_x = component(d, x) / component(d, z);
+        shear_y = component(d, y) / component(d, z);
     }
 
-    T x_of(const Vec3<T>& from_origin) const { return from_origin[x] - shear_x * from_origin[z]; }
-    T y_of(const Vec3<T>& from_origin) const { return from_origin[y] - shear_y * from_origin[z]; }
+    T x_of(const Vec3<T>& from_origin) const {
+        return component(from_origin, x) - shear_x * component(from_origin, z);
+    }
+    T y_of(const Vec3<T>& from_origin) const {
+        return component(from_origin, y) - shear_y * component(from_origin, z);
+    }
+
+  private:
+    static constexpr std::array<int, 5> axes_in_turn = {0, 1, 2, 0, 1};
 };
 
 /// Between which t a ray that meets the convex hull of some points meets it, each off by at most 4
 /// u times the largest component of the way to the farthest point.
-template <class T> struct Passage { T nearest, farthest; };
+template <class T> struct Passage {
+    T nearest, farthest;
+
+    /// Between two places along an axis, seen from the origin, by the direction's component there.
+    static Passage between(T low, T high, T d) {
+        return d > 0 ? Passage{low / d, high / d} : Passage{high / d, low / d};
+    }
+};
 
 template <class T>
 Passage<T> passage(std::span<const Vec3<T>> points, const Ray<T>& ray, const RayFrame<T>& frame) {
-    T low = points[0][frame.z] - ray.origin[frame.z];
+    const T origin = component(ray.origin, frame.z);
+    T low = component(points[0], frame.z) - origin;
     T high = low;
     for (const Vec3<T>& point : points.subspan(1)) {
-        const T z = point[frame.z] - ray.origin[frame.z];
+        const T z = component(point, frame.z) - origin;
         low = min_of(low, z);
         high = max_of(high, z);
     }
-    const T d = ray.direction[frame.z];
-    return d > 0 ? Passage<T>{low / d, high / d} : Passage<T>{high / d, low / d};
+    return Passage<T>::between(low, high, component(ray.direction, frame.z));
 }
 
 }  // namespace raytree

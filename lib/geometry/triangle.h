@@ -76,11 +76,9 @@ bool passes_through(const TriangleShape<T>& triangle, const Ray<T>& ray, const R
 
 /// The intersection of a ray whose line passes through the triangle.
 template <class T> Roots<T> intersect_inside(const TriangleShape<T>& triangle, const Ray<T>& ray,
-                                             const RayFrame<T>& frame, Start start) {
+                                             const Passage<T>& passage, Start start) {
     Roots<T> roots;
-    const auto [nearest, farthest] =
-        passage(std::span<const Vec3<T>>(triangle.vertices), ray, frame);
-    roots.add(meet_plane(triangle, ray, start, nearest, farthest));
+    roots.add(meet_plane(triangle, ray, start, passage.nearest, passage.farthest));
     return roots;
 }
 
@@ -90,8 +88,11 @@ Roots<T> intersect(const TriangleShape<T>& triangle, const Ray<T>& ray, Start st
         return {};
     }
     const RayFrame<T> frame(ray.direction);
-    return passes_through(triangle, ray, frame) ? intersect_inside(triangle, ray, frame, start)
-                                                : Roots<T>{};
+    if (!passes_through(triangle, ray, frame)) {
+        return {};
+    }
+    const std::span<const Vec3<T>> vertices(triangle.vertices);
+    return intersect_inside(triangle, ray, passage(vertices, ray, frame), start);
 }
 
 /// The normal interpolated at a point of the triangle by its barycentric coordinates, which on a

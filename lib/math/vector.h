@@ -10,6 +10,10 @@ namespace raytree {
 /// A point or a displacement in space; in the scene's length unit unless said otherwise.
 template <class T> using Vec3 = glm::vec<3, T, glm::defaultp>;
 
+/// The component along an axis (0, 1, 2) that only the data tell: glm's `[]` would branch on it,
+/// which no processor can guess.
+template <class T> const T& component(const Vec3<T>& v, int axis) { return (&v.x)[axis]; }
+
 template <class To, class From> Vec3<To> vector_cast(const Vec3<From>& v) {
     return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
 }
