@@ -241,7 +241,7 @@ std::string short_fate(const TreeRay<double>& shadow_ray) {
     if (!reaches_light(shadow_ray)) {
         return "blocked";
     }
-    return shadow.transmittance == Rgb<double>(1) ? "reaches it" : "reaches it dimmed";
+    return shadow.transmittance == Rgb<double>(1) ? "reaches it" : "reaches it, dimmed";
 }
 
 std::vector<std::string> notes_of(const TreeRay<double>& ray) {

@@ -19,6 +19,7 @@
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
+#include "window/qt_text.h"
 #include "window/scene_pane.h"
 
 namespace raytree::inspector {
@@ -147,6 +148,39 @@ class LessonPaneTest : public test::ShownWindow {
         click(QStringLiteral("Show me"));
         QVERIFY(verdict().contains(QStringLiteral("The answer: <b>4</b>")));
         QVERIFY(!state_.lesson()->is_solved(0));
+    }
+
+    void an_answered_number_stands_in_its_field_when_one_comes_back() {
+        go_to("1");
+        QTest::keyClicks(shown<QLineEdit>(), QStringLiteral("4,25"));
+        QTest::keyClick(shown<QLineEdit>(), Qt::Key_Return);
+        QVERIFY(state_.lesson()->answer());
+        click(QStringLiteral("Next"));
+        click(QStringLiteral("◂ Back"));
+        QTRY_VERIFY(shown<QLineEdit>());
+        QCOMPARE(shown<QLineEdit>()->text(), QStringLiteral("4.25"));
+        QVERIFY(!verdict().isEmpty());
+    }
+
+    void a_question_takes_the_colours_of_the_theme_and_keeps_what_is_typed() {
+        run_command(state_, "lesson.again");
+        shown<QLineEdit>()->setText(QStringLiteral("12"));
+        const auto heading = [this] {
+            for (const QLabel* const label : pane().findChildren<QLabel*>()) {
+                if (label->isVisible() && label->text().contains(QStringLiteral("Your turn"))) {
+                    return label->text();
+                }
+            }
+            return QString();
+        };
+        for (const Theme theme : {Theme::dark, Theme::light}) {
+            run_command(state_, "look.dark");
+            QTRY_VERIFY(shown<QLineEdit>());
+            QVERIFY2(heading().contains(qt(palette_of(theme).accent).name()),
+                     qPrintable(heading()));
+            QCOMPARE(shown<QLineEdit>()->text(), QStringLiteral("12"));
+        }
+        shown<QLineEdit>()->clear();
     }
 
     void asked_again_a_number_is_typed_anew() {

@@ -192,10 +192,14 @@ std::string summary_of(const Contrast& contrast) {
                    ? "Every ray is the same in both."
                    : "The rays are the same in both, but for what is said below.";
     }
-    return std::to_string(count(RayMark::same)) + " rays the same, " +
-           std::to_string(causes + follow) + " different (" + std::to_string(causes) +
-           " where it begins, " + std::to_string(follow) + " that follow), " +
-           std::to_string(missing) + " missing, " + std::to_string(extra) + " extra.";
+    const auto same = count(RayMark::same);
+    std::string text = std::to_string(same) + (same == 1 ? " ray" : " rays") + " the same, " +
+                       std::to_string(causes + follow) + " different";
+    if (causes + follow > 0) {
+        text += " (" + std::to_string(causes) + " where it begins, " + std::to_string(follow) +
+                (follow == 1 ? " that follows)" : " that follow)");
+    }
+    return text + ", " + std::to_string(missing) + " missing, " + std::to_string(extra) + " extra.";
 }
 
 namespace {

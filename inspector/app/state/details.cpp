@@ -108,7 +108,9 @@ void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay
     if (tree.tree.settings.attenuation != Attenuation{}) {
         faint("f", Rgb<double>(child.attenuation));
     }
-    faint(i + " of " + reference(child.id), child.intensity);
+    rows.push_back(
+        summand_row("   " + i + " of " + reference(child.id), child.intensity, ray.intensity));
+    rows.back().weight = Weight::faint;
 }
 
 DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {

@@ -49,6 +49,16 @@ std::vector<std::string> beneath(double largest, std::span<const double> values,
     return texts;
 }
 
+std::string listed(const Rgb<double>& c, int decimals, const char* between) {
+    std::string text;
+    for (const double value : channels(c)) {
+        const bool plain = std::abs(value) < 1e4;
+        text += (text.empty() ? "" : between) +
+                (plain ? printed(value, std::chars_format::fixed, decimals) : number_text(value));
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<std::string> aligned(std::span<const double> values, int digits) {
@@ -68,15 +78,9 @@ std::vector<std::string> aligned(const Rgb<double>& c, int digits) {
     return aligned(channels(c), digits);
 }
 
-std::string rgb_text(const Rgb<double>& c) {
-    std::string text;
-    for (const double value : channels(c)) {
-        const bool plain = std::abs(value) < 1e4;
-        text += (text.empty() ? "" : "  ") +
-                (plain ? printed(value, std::chars_format::fixed, 3) : number_text(value));
-    }
-    return text;
-}
+std::string rgb_text(const Rgb<double>& c) { return listed(c, 3, "  "); }
+
+std::string brief_rgb_text(const Rgb<double>& c) { return listed(c, 2, " "); }
 
 std::string exact(double value) {
     std::array<char, 32> buffer;

@@ -20,8 +20,10 @@ std::vector<std::string> aligned(const Rgb<double>& c, int digits = 6);
 /// own that it would notice.
 std::vector<std::string> aligned_with(const Rgb<double>& sum, const Rgb<double>& part);
 
-/// "0.274  0.341  0.460": three decimals, for lists.
+/// "0.274  0.341  0.460", for lists.
 std::string rgb_text(const Rgb<double>& c);
+/// "0.27 0.34 0.46", where there is little room.
+std::string brief_rgb_text(const Rgb<double>& c);
 
 /// The shortest text that is this very double when it is read again: 17 digits at most. Of several,
 /// divided by blanks.

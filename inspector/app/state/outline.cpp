@@ -14,11 +14,11 @@ std::string named(RayKind kind, const std::string& light) {
     return std::string(word_of(kind)) + (light.empty() ? "" : " → " + light);
 }
 
-std::string what_became(const TreeRay<double>& ray) {
-    if (ray.shadow->blocked_by) {
-        return "blocked by " + ray.shadow->blocked_by->object;
-    }
-    return reaches_light(ray) ? "reaches the light" : "does not reach the light";
+/// What a shadow ray meets, and why its light does not come.
+void add_fate(const TreeRay<double>& ray, OutlineTexts& texts) {
+    const ShadowPart<double>& shadow = *ray.shadow;
+    texts.met = shadow.blocked_by ? shadow.blocked_by->object : "the light";
+    texts.ended = shadow.blocked_by ? "blocked" : reaches_light(ray) ? "" : "dimmed to 0";
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row) {
     OutlineTexts texts;
     texts.ray = named(ray.kind, ray.shadow ? ray.shadow->light : "");
     if (ray.shadow) {
-        texts.met = what_became(ray);
+        add_fate(ray, texts);
         if (ray.shadow->blocked_by || ray.shadow->distance) {
             texts.t = number_text(ray.shadow->blocked_by ? ray.shadow->blocked_by->t
                                                          : *ray.shadow->distance);

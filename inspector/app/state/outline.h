@@ -53,7 +53,7 @@ class Outline {
 /// What the columns say.
 struct OutlineTexts {
     std::string ray;  ///< "refracted"; "shadow → key"
-    std::string met;  ///< "glass ball, back"; "reaches the light"; "blocked by floor"
+    std::string met;  ///< "glass ball, back"; of a shadow ray "the light", or what blocks it
     std::string t;
     std::string intensity;  ///< of a shadow ray: what it adds
     std::string ended;      ///< why it went no further, or was not sent

@@ -64,7 +64,7 @@ std::string short_title(const TreeRay<double>& ray) {
 std::string waiting_for(const Playback& playback, const OpenCall& call) {
     const RayTree<double>& tree = playback.tree();
     if (playback.stage(call.ray) == Stage::sent) {
-        return tree.rays[call.ray].shadow ? "what is in between" : "its hit";
+        return tree.rays[call.ray].shadow ? "what blocks it" : "its hit";
     }
     if (!call.child) {
         return "what comes next";

@@ -20,7 +20,7 @@ using Node = TreeRay<double>;
 
 constexpr std::array<ColumnText, column_count> texts = {{
     {"ray", "Ray", "the ray's number and kind", false},
-    {"met", "Meets", "what the ray meets, or what becomes of its light", false},
+    {"met", "Meets", "what the ray meets; a shadow ray: its light, or what blocks it", false},
     {"t", "t", "distance along the ray", true},
     {"intensity", "Intensity", "what comes back along the ray; of a shadow ray, what it adds",
      false},
@@ -196,7 +196,8 @@ std::string text_of(const PixelTree& tree, std::size_t id, Column column) {
         return angle_text(ray.hit->cos_incident);
     }
     if (column == Column::ended) {
-        return ray.termination ? short_reason(*ray.termination) : "";
+        return ray.termination ? short_reason(*ray.termination)
+                               : texts_of(tree, OutlineRow{id, {}, 0, 0}).ended;
     }
     const Cell cell = cell_of(tree, ray, column);
     if (const auto* const words = std::get_if<std::string>(&cell)) {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "formats/tree_diagram.h"
 #include "state/numbers.h"
 #include "state/table.h"
 #include "tree/explain.h"
@@ -137,7 +138,7 @@ DetailSection rays_of(const Scene& scene, const PixelTree& tree, Thing thing) {
     for (std::size_t k = 0; k < std::min(rays.size(), most_listed); ++k) {
         const std::string t = text_of(tree, rays[k], Column::t);
         const std::string fate =
-            light ? text_of(tree, rays[k], Column::met) : (t.empty() ? "" : "t = " + t);
+            light ? short_fate(tree.tree.rays[rays[k]]) : (t.empty() ? "" : "t = " + t);
         Row row = text_row(text_of(tree, rays[k], Column::ray), fate);
         row.rays = {rays[k]};
         section.rows.push_back(std::move(row));

@@ -97,14 +97,15 @@ class Writer {
         const bool strong = row.weight == DetailRow::Weight::strong;
         const QString label_colour = qt(palette_.dim_text).name();
         const QString colour = faint ? label_colour : qt(palette_.text).name();
-        html_ += QStringLiteral("<tr><td width='31%' style='color:%1'>%2%3%4%5</td>")
-                     .arg(strong ? colour : label_colour, strong ? "<b>" : "",
-                          breakable(escaped(row.label)), strong ? "</b>" : "", swatch_of(row));
+        html_ +=
+            QStringLiteral("<tr><td width='31%' style='color:%1; padding-right:6px'>%2%3%4%5</td>")
+                .arg(strong ? colour : label_colour, strong ? "<b>" : "",
+                     breakable(escaped(row.label)), strong ? "</b>" : "", swatch_of(row));
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             add_cell(row, k, colour, strong);
         }
         if (!row.is_text && row.cells.size() < 3) {
-            html_ += QStringLiteral("<td colspan='%1'></td>").arg(3 - row.cells.size());
+            html_ += QStringLiteral("<td colspan='%1'>&nbsp;</td>").arg(3 - row.cells.size());
         }
         html_ += QStringLiteral("</tr>");
     }
@@ -135,7 +136,7 @@ class Writer {
             return {};
         }
         const auto [r, g, b] = eight_bit(*row.swatch, quantize_).value;
-        return QStringLiteral(" <img src='swatch:%1'/>").arg(QColor(r, g, b).name().mid(1));
+        return QStringLiteral("&nbsp;<img src='swatch:%1'/>").arg(QColor(r, g, b).name().mid(1));
     }
 
     const Palette& palette_;
@@ -172,12 +173,12 @@ QVariant DetailsPane::loadResource(int type, const QUrl& name) {
     }
     const int height = fontMetrics().height() - 4;
     const double ratio = devicePixelRatioF();
-    QImage image(QSize(height * 3 / 2, height) * ratio, QImage::Format_RGB32);
+    QImage image(QSize(height, height) * ratio, QImage::Format_RGB32);
     image.setDevicePixelRatio(ratio);
     image.fill(QColor(QLatin1Char('#') + name.path()));
     QPainter painter(&image);
     painter.setPen(QPen(qt(palette_of(state_.look().theme).dim_text), 1));
-    painter.drawRect(QRectF(0.5, 0.5, height * 3 / 2 - 1, height - 1));
+    painter.drawRect(QRectF(0.5, 0.5, height - 1, height - 1));
     return image;
 }
 

@@ -87,9 +87,10 @@ class MainWindow : public QMainWindow {
     QStackedWidget* tree_panes_ = nullptr;  ///< in the order of TreePane::Tab, as the tabs
     QDockWidget *picture_dock_ = nullptr, *details_dock_ = nullptr, *tree_dock_ = nullptr;
     QDockWidget* lesson_dock_ = nullptr;
-    bool tall_tree_ = false;  ///< as the room is shared just now
-    bool overlaid_ = false;   ///< whether room was left for an overlay's legend
-    QTimer working_;          ///< runs while a tree or an explanation is to come
+    bool tall_tree_ = false;           ///< as the room is shared just now
+    bool overlaid_ = false;            ///< whether room was left for an overlay's legend
+    bool teaches_by_diagram_ = false;  ///< whether a lesson's step is about the whole of it
+    QTimer working_;                   ///< runs while a tree or an explanation is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };
 

@@ -136,6 +136,10 @@ void MainWindow::show_lesson() {
     const auto panel = lesson && state_.lesson_side() == LessonSide::lesson
                            ? lesson->here().show.panel
                            : std::nullopt;
+    const bool diagram = panel == lesson::Panel::diagram;
+    if (diagram != std::exchange(teaches_by_diagram_, diagram)) {
+        share_room();
+    }
     frame_->put_around(panel ? panes[static_cast<std::size_t>(*panel)] : nullptr,
                        palette_of(state_.look().theme).accent);
 }
@@ -161,13 +165,13 @@ void MainWindow::share_room() {
                     Qt::Vertical);
     }
     tall_tree_ = state_.tree_pane().tall;
-    const int below =
-        tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
-                   : std::clamp(static_cast<int>(height() * (teaches ? 0.4 : 0.36)), 160, 480);
+    const double share = teaches_by_diagram_ ? 0.52 : teaches ? 0.4 : 0.36;
+    const int below = tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
+                                 : std::clamp(static_cast<int>(height() * share), 160, 480);
     const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend_room : 0),
                                  static_cast<int>(height() * (overlaid_ ? 0.55 : 0.5)));
     const int letter = fontMetrics().averageCharWidth();
-    const int side = std::clamp(width() / 4, 36 * letter, std::max(400, 48 * letter));
+    const int side = std::clamp(width() * 9 / 40, 36 * letter, std::max(400, 48 * letter));
     resizeDocks({picture_dock_, side_}, {left, side}, Qt::Horizontal);
     resizeDocks({tree_dock_}, {below}, Qt::Vertical);
     resizeDocks({picture_dock_, details_dock_}, {picture, height() - picture}, Qt::Vertical);

@@ -4,6 +4,7 @@
 
 #include "formats/tree_diagram.h"
 #include "state/marked_texts.h"
+#include "state/numbers.h"
 #include "tree/explain.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
@@ -96,26 +97,60 @@ bool OutlineModel::is_known(std::size_t ray) const {
 }
 
 QVariant OutlineModel::text(const OutlineRow& row, Column column) const {
+    if (brief_ && column == Column::intensity && !row.skipped && is_known(row.ray)) {
+        return qt(brief_rgb_text(*swatch_of(*tree_, row)));
+    }
     if (!row.skipped && is_known(row.ray) && column != Column::ray && column != Column::met) {
         return qt(text_of(*tree_, row.ray, column));
     }
     const OutlineTexts texts = marked_texts_of(*tree_, row, state_->playback());
     switch (column) {
         case Column::ray:
-            return row.skipped ? qt(texts.ray) : qt(number_of(*tree_, row.ray) + "  " + texts.ray);
+            return row.skipped ? qt(texts.ray)
+                               : signed_briefly(qt(number_of(*tree_, row.ray) + "  " + texts.ray));
         case Column::t:
             return qt(texts.t);
         case Column::intensity:
             return qt(texts.intensity);
         case Column::met:
-            return qt(texts.met);
-        case Column::ended:
             return row.skipped
-                       ? qt(short_reason(tree_->tree.rays[row.ray].skipped[*row.skipped].reason))
-                       : qt(texts.ended);
+                       ? qt(texts.met + ": " +
+                            short_reason(tree_->tree.rays[row.ray].skipped[*row.skipped].reason))
+                       : qt(texts.met);
+        case Column::ended:
+            return row.skipped ? QString() : qt(texts.ended);
         default:
             return {};
     }
+}
+
+/// What follows a ray's name stands after three blanks: a sign and what it means.
+QString OutlineModel::signed_briefly(const QString& text) const {
+    QStringList parts = text.split(QStringLiteral("   "));
+    for (int k = 1; brief_ && k < parts.size(); ++k) {
+        parts[k] = parts[k].section(QLatin1Char(' '), 0, 0);
+    }
+    return parts.join(QStringLiteral("   "));
+}
+
+QString OutlineModel::widest_ray() const {
+    constexpr std::size_t longest_name = 20;
+    if (!tree_) {
+        return {};
+    }
+    std::string name;
+    for (const Light& light : state_->document()->scene().lights) {
+        if (light.name.size() > name.size() && light.name.size() <= longest_name) {
+            name = light.name;
+        }
+    }
+    const std::size_t last = tree_->tree.rays.size() - 1;
+    const bool cut = tree_->contrast && tree_->contrast->what == Contrast::What::cut;
+    const std::string mark = mark_text(cut ? RayMark::cut : RayMark::missing);
+    return signed_briefly(qt((tree_->grafted > 0 ? "(#" : "#") + std::to_string(last) +
+                             (tree_->grafted > 0 ? ")" : "") + "  shadow → " + name +
+                             (tree_->contrast ? "   " + mark : "") +
+                             (tree_->bounds ? "   ≈ in doubt" : "")));
 }
 
 QVariant OutlineModel::icon(const OutlineRow& row, Column column) const {
@@ -168,8 +203,9 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
         case Qt::FontRole: {
             QFont font;
             font.setItalic(row.skipped || !tree_->is_own(row.ray));
-            font.setBold((column == Column::ray && is_marked(row)) ||
-                         (!row.skipped && tree_->mark(row.ray) == RayMark::different));
+            font.setBold(
+                column == Column::ray &&
+                (is_marked(row) || (!row.skipped && tree_->mark(row.ray) == RayMark::different)));
             return font.italic() || font.bold() ? QVariant(font) : QVariant();
         }
         default:

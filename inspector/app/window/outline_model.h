@@ -21,6 +21,10 @@ class OutlineModel : public QAbstractItemModel {
 
     /// Shows the state's tree as its table says.
     void show(const State& state);
+    /// Where there is little room: intensities with two decimals, marks by their signs alone.
+    void set_brief(bool brief) { brief_ = brief; }
+    /// As long as the first column's texts become, without the names of lights that are too long.
+    QString widest_ray() const;
     QModelIndex index_of_ray(std::size_t ray) const;
     OutlineRow row(const QModelIndex& index) const;
 
@@ -36,6 +40,7 @@ class OutlineModel : public QAbstractItemModel {
     void draw_signs(Theme theme);
     QModelIndex index_of(std::size_t place, int column) const;
     QVariant text(const OutlineRow& row, Column column) const;
+    QString signed_briefly(const QString& text) const;
     QVariant icon(const OutlineRow& row, Column column) const;
     bool is_known(std::size_t ray) const;
     bool is_faint(const OutlineRow& row, Column column) const;
@@ -45,6 +50,7 @@ class OutlineModel : public QAbstractItemModel {
     std::shared_ptr<const PixelTree> tree_;
     Outline outline_;
     bool sorted_ = false;
+    bool brief_ = false;
     std::vector<std::size_t> rays_, places_;  ///< of the sorted table, and each ray's place in it
     Theme theme_ = Theme::light;
     Quantize quantize_ = Quantize::round;

@@ -3,6 +3,8 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMenu>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <algorithm>
 #include <numeric>
 
@@ -16,10 +18,37 @@ constexpr std::size_t most_expanded = 1000;  // rays; larger trees open level by
 constexpr int levels_of_large_trees = 4;
 
 /// In deep trees rows stand closer to those above them: what is in the deepest is to be read too.
+constexpr int most_indented = 13, least_indented = 7, all_indented = 84;  // pixels
+
 int indentation_for(const PixelTree* tree) {
-    constexpr int most = 13, least = 7, all = 84;  // pixels
-    return tree ? std::clamp(all / std::max(1, tree->tree.counts.levels), least, most) : most;
+    return tree ? std::clamp(all_indented / std::max(1, tree->tree.counts.levels), least_indented,
+                             most_indented)
+                : most_indented;
 }
+
+constexpr int around_text = 16;  // pixels: a cell's padding and margins
+
+/// Names of objects are shortened, the other texts are not: what is left for names where all is
+/// written out, and in a narrow pane.
+constexpr int wanted_letters = 20, least_letters = 9;
+
+/// Leaves to `drawRow` what becomes of rays that were not sent.
+class MetDelegate : public QStyledItemDelegate {
+  public:
+    MetDelegate(const OutlineModel& model, QObject* parent)
+        : QStyledItemDelegate(parent), model_(model) {}
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (model_.row(index).skipped) {
+            option->text.clear();
+        }
+    }
+
+  private:
+    const OutlineModel& model_;
+};
 
 }  // namespace
 
@@ -45,6 +74,7 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
     connect(this, &QTreeView::clicked, this, [this](const QModelIndex& index) {
         state_.select(model_->row(index).ray);  // the current row's, too: it may be an answer
     });
+    setItemDelegateForColumn(static_cast<int>(Column::met), new MetDelegate(*model_, this));
     show_columns();
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
@@ -52,7 +82,6 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
 void OutlinePane::obey(const Changes& changes) {
     if (changes.table) {
         show_columns();
-        size_columns();
     }
     if (changes.tree || changes.look || changes.document || changes.table || changes.playback) {
         show_tree();
@@ -69,8 +98,8 @@ void OutlinePane::obey(const Changes& changes) {
 
 void OutlinePane::show_tree() {
     following_ = true;
-    setIndentation(indentation_for(state_.tree().get()));
     model_->show(state_);
+    size_columns();
     if (state_.tree() && state_.tree()->tree.rays.size() <= most_expanded) {
         expandAll();
     } else {
@@ -81,7 +110,7 @@ void OutlinePane::show_tree() {
 
 void OutlinePane::show_selection() {
     following_ = true;
-    viewport()->update();  // other rows may be marked now
+    size_columns();  // other rows may be marked now
     const QModelIndex index =
         state_.selected() ? model_->index_of_ray(state_.selected()->id) : QModelIndex();
     const bool on_its_ghost = currentIndex().isValid() && index.isValid() &&
@@ -190,10 +219,12 @@ int OutlinePane::width_for(Column column) const {
     };
     switch (column) {
         case Column::intensity:
-            return of("0.000  0.000  0.000") + 24;
+            return of(brief_ ? "0.00 0.00 0.00" : "0.000  0.000  0.000") + 24;
         case Column::t:
         case Column::attenuation:
-            return of("-1.234e-5");
+            return of("1.234e-5");
+        case Column::ended:
+            return of("no intersection");
         case Column::level:
         case Column::side:
             return std::max(of("Level"), of("front"));
@@ -210,24 +241,64 @@ int OutlinePane::width_for(Column column) const {
     }
 }
 
-/// Names share what the numbers leave of the width; beyond the pane's edge is nothing, as long as
-/// there is room for a few letters of each.
-void OutlinePane::size_columns() {
-    constexpr int letters = 44;
-    const bool reasons = state_.table().has(Column::ended);
-    int rest = viewport()->width();
+/// Of the deepest row.
+int OutlinePane::width_for_rays() const {
+    QFont widest = font();
+    widest.setBold(state_.thing() || (state_.tree() && state_.tree()->contrast));
+    const int levels = state_.tree() ? state_.tree()->tree.settings.max_depth + 1 : 1;
+    const int indented = std::min(levels * (brief_ ? least_indented : most_indented), all_indented);
+    return indented + iconSize().width() + 4 + around_text +
+           QFontMetrics(widest).horizontalAdvance(model_->widest_ray());
+}
+
+/// What is left for the names of objects, once everything else has its room.
+int OutlinePane::left_for_names(bool brief) {
+    brief_ = brief;
+    model_->set_brief(brief);
+    int rest = viewport()->width() - width_for_rays();
     for (const Column column : state_.table().columns) {
-        if (column != Column::ray && column != Column::met && column != Column::ended) {
+        if (column != Column::ray && column != Column::met) {
             setColumnWidth(static_cast<int>(column), width_for(column));
             rest -= width_for(column);
         }
     }
-    rest = std::max(rest, fontMetrics().averageCharWidth() * letters);
-    const int ray = static_cast<int>(rest * (reasons ? 0.43 : 0.55));
-    const int ended = reasons ? static_cast<int>(rest * 0.32) : 0;
-    setColumnWidth(static_cast<int>(Column::ray), ray);
-    setColumnWidth(static_cast<int>(Column::met), rest - ray - ended);
-    setColumnWidth(static_cast<int>(Column::ended), ended);
+    return rest;
+}
+
+/// Beyond the pane's edge is nothing, as long as there is room for a few letters of each name; from
+/// there on the pane scrolls.
+void OutlinePane::size_columns() {
+    const int letter = fontMetrics().averageCharWidth();
+    int rest = left_for_names(false);
+    if (rest < wanted_letters * letter) {
+        rest = left_for_names(true);
+    }
+    const int spare = std::max(0, rest - wanted_letters * letter) / 3;
+    setColumnWidth(static_cast<int>(Column::ray), width_for_rays() + spare);
+    setColumnWidth(static_cast<int>(Column::met), std::max(rest - spare, least_letters * letter));
+    setIndentation(brief_ ? least_indented : indentation_for(state_.tree().get()));
+    viewport()->update();
+}
+
+/// Why a ray was not sent stands across the columns, which have nothing else to say of it.
+void OutlinePane::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+    QTreeView::drawRow(painter, option, index);
+    if (!model_->row(index).skipped) {
+        return;
+    }
+    const QModelIndex met = index.siblingAtColumn(static_cast<int>(Column::met));
+    const int ray = static_cast<int>(Column::ray);
+    const int left = columnViewportPosition(ray) + columnWidth(ray) + 3;
+    const QRect place(left, option.rect.y(), viewport()->width() - left, option.rect.height());
+    const QFont font = met.data(Qt::FontRole).value<QFont>();
+    painter->save();
+    painter->setFont(font);
+    painter->setPen(met.data(Qt::ForegroundRole).value<QColor>());
+    painter->drawText(
+        place, Qt::AlignLeft | Qt::AlignVCenter,
+        QFontMetrics(font).elidedText(met.data().toString(), Qt::ElideRight, place.width()));
+    painter->restore();
 }
 
 }  // namespace raytree::inspector

@@ -22,6 +22,8 @@ class OutlinePane : public QTreeView {
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
     void resizeEvent(QResizeEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) const override;
 
   private:
     void obey(const Changes& changes);
@@ -30,11 +32,14 @@ class OutlinePane : public QTreeView {
     void show_columns();
     void size_columns();
     int width_for(Column column) const;
+    int width_for_rays() const;
+    int left_for_names(bool brief);
     void choose_columns(QPoint place);
     void copy(bool all);
 
     inspector::State& state_;  // not QAbstractItemView::State
     OutlineModel* model_;
+    bool brief_ = false;      ///< as the model writes texts: in a narrow pane
     bool following_ = false;  ///< while the selection is taken over from the state
 };
 

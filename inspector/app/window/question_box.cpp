@@ -64,7 +64,8 @@ void QuestionBox::renew() {
     if (!run || !run->here().ask) {
         return;
     }
-    const Palette& palette = palette_of(state_.look().theme);
+    theme_ = state_.look().theme;
+    const Palette& palette = palette_of(theme_);
     content_ = new QWidget;
     layout()->addWidget(content_);
     auto* const rows = new QVBoxLayout(content_);
@@ -200,10 +201,21 @@ void QuestionBox::refresh() {
     if (!content_) {
         return;
     }
+    if (theme_ != state_.look().theme) {  // its texts have their colours in them
+        const QString typed = number_ ? number_->text() : QString();
+        renew();
+        if (number_) {
+            number_->setText(typed);
+        }
+        return;
+    }
     if (field_) {
         show_value();
     }
     const LessonAnswer* const given = state_.lesson()->answer();
+    if (number_ && given && given->given.is_number() && number_->text().isEmpty()) {
+        number_->setText(QString::number(given->given.get<double>(), 'g', 10));
+    }
     if (number_ && !given && again_->isVisibleTo(this)) {  // asked again: nothing is typed yet
         number_->clear();
         number_->setFocus();

@@ -54,6 +54,7 @@ class QuestionBox : public QFrame {
     QDoubleSpinBox* field_ = nullptr;
     QTimer trying_;  ///< runs out when the slider rests for a moment
     double tried_ = 0;
+    Theme theme_ = Theme::light;  ///< in whose colours the texts are
 };
 
 }  // namespace raytree::inspector

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "drawing/picking.h"
+#include "formats/tree_diagram.h"
 #include "state/outline.h"
 #include "state/thing_details.h"
 #include "window/qt_text.h"
@@ -108,7 +109,8 @@ void ScenePane::show_hint(QPointF at, QPoint global) {
         row.ray = *ray;
         const OutlineTexts texts = texts_of(*state_.tree(), row);
         const std::string t = texts.t.empty() ? "" : ", t = " + texts.t;
-        hint = qt(title_of(state_.tree()->tree.rays[*ray]) + ": " + texts.met + t);
+        const TreeRay<double>& one = state_.tree()->tree.rays[*ray];
+        hint = qt(title_of(one) + ": " + (one.shadow ? short_fate(one) : texts.met) + t);
     }
     hint.isEmpty() ? QToolTip::hideText() : QToolTip::showText(global, hint, canvas_);
 }

@@ -25,6 +25,25 @@ QLabel* words() {
     return label;
 }
 
+constexpr int waits_for_role = Qt::UserRole + 1;
+
+/// Calls of two lines: the upper one has two columns, the lower one goes across both.
+class CallList : public QTreeWidget {
+  protected:
+    void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
+                 const QModelIndex& index) const override {
+        QTreeWidget::drawRow(painter, option, index);
+        const int margin = 10;
+        QRect below = option.rect.adjusted(margin, option.rect.height() / 2, 0, 0);
+        below.setRight(viewport()->width());
+        painter->setPen(
+            palette().color(isEnabled() ? QPalette::Normal : QPalette::Disabled, QPalette::Text));
+        painter->drawText(below, Qt::AlignLeft | Qt::AlignTop,
+                          fontMetrics().elidedText(index.data(waits_for_role).toString(),
+                                                   Qt::ElideRight, below.width()));
+    }
+};
+
 }  // namespace
 
 StepsPane::StepsPane(State& state, QWidget* parent)
@@ -37,7 +56,7 @@ StepsPane::StepsPane(State& state, QWidget* parent)
     event_->setMinimumHeight(3 * fontMetrics().height());
     event_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     calls_title_ = words();
-    calls_ = new QTreeWidget;
+    calls_ = new CallList;
     calls_->setHeaderLabels({QStringLiteral("Open call"), QStringLiteral("sum so far")});
     calls_->setRootIsDecorated(false);
     calls_->setUniformRowHeights(true);
@@ -181,13 +200,15 @@ void StepsPane::show_calls(const Playback& playback) {
             ? QStringLiteral("Call stack, the innermost call below: %1 open").arg(texts.size())
             : QStringLiteral("Rays whose intensity is not known yet: %1").arg(texts.size()));
     for (const CallText& text : texts) {
-        const QString call =
-            QStringLiteral("%1\n waits for %2").arg(qt(text.title), qt(text.waits_for));
-        auto* const item = new QTreeWidgetItem(calls_, {call, qt(text.sum)});
+        const QString waits = QStringLiteral("waits for ") + qt(text.waits_for);
+        auto* const item =
+            new QTreeWidgetItem(calls_, {qt(text.title) + QLatin1Char('\n'), qt(text.sum)});
+        item->setData(0, waits_for_role, waits);
+        item->setData(0, Qt::AccessibleTextRole, qt(text.title) + QLatin1Char(' ') + waits);
         item->setTextAlignment(1, Qt::AlignLeft | Qt::AlignTop);
         item->setData(0, Qt::UserRole, QVariant::fromValue<qulonglong>(text.ray));
         for (int column = 0; column < 2; ++column) {
-            item->setToolTip(column, item->text(column));
+            item->setToolTip(column, qt(text.title) + QLatin1Char('\n') + waits);
         }
         if (text.ray == playback.event().ray) {
             calls_->setCurrentItem(item);

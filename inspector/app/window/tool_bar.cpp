@@ -43,7 +43,13 @@ ToolBar::ToolBar(const ActionOf& action_of, QWidget* parent)
     for (QToolButton* const button : findChildren<QToolButton*>()) {
         button->setFocusPolicy(Qt::NoFocus);  // keys go on acting in the panes
     }
+    size_icons();
     show(Words::all);
+}
+
+void ToolBar::size_icons() {
+    const int icon = fontMetrics().height() + 3;
+    setIconSize({icon, icon});
 }
 
 void ToolBar::show(Words words) {
@@ -74,8 +80,7 @@ void ToolBar::resizeEvent(QResizeEvent* event) {
 void ToolBar::changeEvent(QEvent* event) {
     QToolBar::changeEvent(event);
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
-        const int icon = fontMetrics().height() + 3;
-        setIconSize({icon, icon});
+        size_icons();
     }
 }
 

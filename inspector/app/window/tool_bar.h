@@ -25,6 +25,7 @@ class ToolBar : public QToolBar {
     enum class Words { all, modes, none };
     void fit();
     void show(Words words);
+    void size_icons();
 };
 
 }  // namespace raytree::inspector

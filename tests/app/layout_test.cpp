@@ -1,0 +1,176 @@
+// Nothing is cut in the real window, at sizes and with fonts that people have. Needs a display.
+
+#include <QApplication>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextTable>
+#include <QToolBar>
+#include <QTreeWidget>
+
+#include "app/scenes.h"
+#include "app/shown_window.h"
+#include "state/commands.h"
+#include "window/details_pane.h"
+#include "window/outline_pane.h"
+#include "window/side_dock.h"
+#include "window/steps_pane.h"
+
+namespace raytree::inspector {
+
+class LayoutTest : public test::ShownWindow {
+    Q_OBJECT
+
+    const OutlinePane& outline() const { return window_->outline_pane(); }
+
+    /// Rows that are open, from the top.
+    std::vector<QModelIndex> open_rows() const {
+        std::vector<QModelIndex> rows;
+        for (QModelIndex at = outline().model()->index(0, 0); at.isValid();
+             at = outline().indexBelow(at)) {
+            rows.push_back(at);
+        }
+        return rows;
+    }
+
+    /// Every text of a column has its room.
+    void check_column(Column column) {
+        for (const QModelIndex& row : open_rows()) {
+            const QModelIndex cell = row.siblingAtColumn(static_cast<int>(column));
+            const int wanted = outline().sizeHintForIndex(cell).width();
+            const int indented = column == Column::ray ? outline().visualRect(cell).x() : 0;
+            const int room = outline().columnWidth(static_cast<int>(column)) - indented;
+            QVERIFY2(wanted <= room, qPrintable(QStringLiteral("%1: %2 in %3")
+                                                    .arg(cell.data().toString())
+                                                    .arg(wanted)
+                                                    .arg(room)));
+        }
+    }
+
+    bool has_usual_font() const { return outline().fontMetrics().averageCharWidth() < 9; }
+
+    void check_outline() {
+        if (has_usual_font()) {  // with a larger one it may have to scroll
+            QCOMPARE(outline().horizontalScrollBar()->maximum(), 0);
+        }
+        for (const Column column : {Column::ray, Column::t, Column::intensity, Column::ended}) {
+            check_column(column);
+        }
+    }
+
+  private Q_SLOTS:
+    void initTestCase() {
+        show_window();
+        state_.show(test::opened(test::glass_ball_scene()));
+        state_.pick({40, 30});
+        QTRY_VERIFY(state_.tree());
+    }
+
+    void init() {
+        run_command(state_, "tab.outline");
+        state_.show_side(SidePane::none);
+    }
+
+    void the_outline_has_room_for_its_words_in_two_columns_and_in_three() {
+        check_outline();
+        QCOMPARE(outline().model()->index(0, 3).data().toString().contains(QStringLiteral("  ")),
+                 has_usual_font());  // three decimals are written out where there is room
+        for (const SidePane pane : {SidePane::change, SidePane::compare, SidePane::steps}) {
+            state_.show_side(pane);
+            QTest::qWait(50);
+            check_outline();
+        }
+        run_command(state_, "light.next");
+        check_outline();
+        run_command(state_, "thing.none");
+    }
+
+    void marks_of_a_comparison_have_room() {
+        run_command(state_, "compare.this_pixel");
+        state_.pick({60, 20});
+        QTRY_VERIFY(state_.tree() && state_.tree()->contrast);
+        state_.show_side(SidePane::compare);
+        QTest::qWait(50);
+        check_column(Column::ray);
+        run_command(state_, "compare.end");
+        state_.pick({40, 30});
+        QTRY_VERIFY(state_.tree());
+    }
+
+    void why_a_ray_was_not_sent_stands_beside_it() {
+        bool found = false;
+        for (const QModelIndex& row : open_rows()) {
+            const QString met = row.siblingAtColumn(static_cast<int>(Column::met)).data().toString();
+            found = found || met.startsWith(QStringLiteral("not sent: "));
+        }
+        QVERIFY(found);
+    }
+
+    void what_a_call_waits_for_is_not_cut() {
+        run_command(state_, "step.mode");
+        for (int k = 0; k < 8; ++k) {
+            run_command(state_, "step.forward");
+        }
+        const QTreeWidget* const calls = window_->side_dock().steps().calls();
+        QTest::qWait(50);
+        QVERIFY(calls->topLevelItemCount() > 1);
+        for (int k = 0; k < calls->topLevelItemCount(); ++k) {
+            const QString text =
+                calls->topLevelItem(k)->data(0, Qt::AccessibleTextRole).toString();
+            const QString waits = text.mid(text.indexOf(QStringLiteral("waits for")));
+            QVERIFY2(!waits.isEmpty(), qPrintable(text));
+            QVERIFY2(calls->fontMetrics().horizontalAdvance(waits) + 10 <=
+                         calls->viewport()->width(),
+                     qPrintable(waits));
+        }
+        run_command(state_, "step.mode");
+    }
+
+    void a_swatch_stands_beside_its_word_and_a_word_before_its_number() {
+        state_.show_side(SidePane::change);
+        QTest::qWait(50);
+        int swatches = 0, words = 0;
+        const QTextDocument& document = *window_->details_pane().document();
+        for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+            if (block.text().contains(QChar::ObjectReplacementCharacter)) {
+                ++swatches;
+                QCOMPARE(block.layout()->lineCount(), 1);
+            }
+            QTextCursor cursor(block);
+            if (const QTextTable* const table = cursor.currentTable()) {
+                const QTextTableCell cell = table->cellAt(cursor);
+                if (cell.column() == 0 && !block.text().trimmed().isEmpty()) {
+                    ++words;
+                    QVERIFY(cell.format().toTableCellFormat().rightPadding() >= 4);
+                }
+            }
+        }
+        QVERIFY(swatches > 0);
+        QVERIFY(words > 5);
+    }
+
+    void panes_stay_where_they_are_when_the_theme_changes() {
+        State state;
+        MainWindow window(state);
+        window.resize(1280, 800);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        state.show(test::opened(test::glass_ball_scene()));
+        QTRY_VERIFY(state.tree());
+        const int before = window.findChild<QToolBar*>()->height();
+        run_command(state, "look.dark");
+        QTest::qWait(50);
+        QCOMPARE(window.findChild<QToolBar*>()->height(), before);
+        run_command(state, "look.dark");
+    }
+
+    void cleanupTestCase() { window_.reset(); }
+};
+
+}  // namespace raytree::inspector
+
+int main(int argc, char** argv) {
+    return raytree::inspector::test::run_tests<raytree::inspector::LayoutTest>(argc, argv);
+}
+
+#include "layout_test.moc"
