@@ -91,7 +91,7 @@ class LayoutTest : public test::ShownWindow {
         QTRY_VERIFY(state_.tree() && state_.tree()->contrast);
         state_.show_side(SidePane::compare);
         QTest::qWait(50);
-        check_column(Column::ray);
+        check_outline();
         run_command(state_, "compare.end");
         state_.pick({40, 30});
         QTRY_VERIFY(state_.tree());
@@ -100,7 +100,8 @@ class LayoutTest : public test::ShownWindow {
     void why_a_ray_was_not_sent_stands_beside_it() {
         bool found = false;
         for (const QModelIndex& row : open_rows()) {
-            const QString met = row.siblingAtColumn(static_cast<int>(Column::met)).data().toString();
+            const QString met =
+                row.siblingAtColumn(static_cast<int>(Column::met)).data().toString();
             found = found || met.startsWith(QStringLiteral("not sent: "));
         }
         QVERIFY(found);
@@ -115,13 +116,12 @@ class LayoutTest : public test::ShownWindow {
         QTest::qWait(50);
         QVERIFY(calls->topLevelItemCount() > 1);
         for (int k = 0; k < calls->topLevelItemCount(); ++k) {
-            const QString text =
-                calls->topLevelItem(k)->data(0, Qt::AccessibleTextRole).toString();
+            const QString text = calls->topLevelItem(k)->data(0, Qt::AccessibleTextRole).toString();
             const QString waits = text.mid(text.indexOf(QStringLiteral("waits for")));
             QVERIFY2(!waits.isEmpty(), qPrintable(text));
-            QVERIFY2(calls->fontMetrics().horizontalAdvance(waits) + 10 <=
-                         calls->viewport()->width(),
-                     qPrintable(waits));
+            QVERIFY2(
+                calls->fontMetrics().horizontalAdvance(waits) + 10 <= calls->viewport()->width(),
+                qPrintable(waits));
         }
         run_command(state_, "step.mode");
     }
