@@ -18,6 +18,11 @@ class ShownWindow : public QObject {
 
     /// What receives the 3D view's clicks and keys.
     QWidget* canvas() const { return window_->scene_pane().focusProxy(); }
+    /// The 3D view as it is now.
+    QImage view_image() const {
+        window_->scene_pane().catch_up();
+        return window_->scene_pane().grab().toImage();
+    }
 
     void show_window() {
         window_ = std::make_unique<MainWindow>(state_);

@@ -27,7 +27,7 @@ class WindowSeeingTest : public test::ShownWindow {
 
     /// How many pixels of the 3D view are near a colour.
     int pixels_of(Ink ink) {
-        const QImage image = window_->scene_pane().grab().toImage();
+        const QImage image = view_image();
         int count = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) {
@@ -261,7 +261,7 @@ class WindowSeeingTest : public test::ShownWindow {
         state_.look_from({middle + 0.7 * (middle - camera.eye), middle});
         QTRY_VERIFY(pane.place_of(middle));
         QTest::qWait(250);
-        const QImage image = pane.grab().toImage();
+        const QImage image = view_image();
         const Point3 right = (corners[1] - corners[0]) / static_cast<double>(camera.width);
         const Point3 down = (corners[3] - corners[0]) / static_cast<double>(camera.height);
         int compared = 0, uneven = 0;
@@ -309,7 +309,7 @@ class WindowSeeingTest : public test::ShownWindow {
             }
             const auto near = path_at(pane.paths(), pane.view(), middle.x(), middle.y(), 9);
             QVERIFY(near && pane.paths()[*near].ray == state_.selected()->id);
-            const QImage image = pane.grab().toImage();
+            const QImage image = view_image();
             QVERIFY2(selection_is_seen(image, middle), qPrintable(QStringLiteral("ray %1 at %2, %3")
                                                                       .arg(state_.selected()->id)
                                                                       .arg(middle.x())
@@ -350,7 +350,7 @@ class WindowSeeingTest : public test::ShownWindow {
             for (const std::size_t ray : {std::size_t{1}, state_.tree()->tree.rays.size() - 1}) {
                 QTRY_VERIFY(pane.keeps());
                 state_.select(ray);
-                const QImage kept = pane.grab().toImage();
+                const QImage kept = view_image();
                 compared += pane.keeps();
                 const QImage whole = pane.image(pane.size());
                 QVERIFY(!pane.keeps());
@@ -375,11 +375,11 @@ class WindowSeeingTest : public test::ShownWindow {
             QImage seen[2];
             for (const int many : {1'000'000'000, 100}) {
                 pane.set_many(many);
-                pane.grab();
+                pane.catch_up();
                 QCOMPARE(pane.has_shapes(), many > 100);
-                const QImage rough = pane.grab().toImage();
+                const QImage rough = view_image();
                 QTRY_VERIFY(pane.keeps());
-                seen[many == 100] = pane.grab().toImage();
+                seen[many == 100] = view_image();
                 QVERIFY(pane.has_shapes());
                 // Rough is no other view: few pixels differ clearly.
                 const int wrong = different(rough, seen[many == 100]);
@@ -388,12 +388,12 @@ class WindowSeeingTest : public test::ShownWindow {
             }
             QVERIFY2(seen[0] == seen[1], style);
         }
-        pane.set_many(100);
-        pane.grab();
+        pane.set_many(99);
+        pane.catch_up();
         QVERIFY(!pane.has_shapes());
         const QImage image = pane.grabbed(pane).toImage();
         QTRY_VERIFY(pane.keeps());
-        QVERIFY(different(image, pane.grab().toImage()) < image.width() * image.height() / 100);
+        QVERIFY(different(image, view_image()) < image.width() * image.height() / 100);
         pane.set_many(1'000'000'000);
         run_command(state_, "shapes.see_through");
     }

@@ -17,12 +17,13 @@ constexpr double near = 0.95;  // of the diagonal: what is farther off may lie o
 /// The legend's strip, unless it would leave too little of the view.
 int strip_of(const View& view) { return std::min(view.foot, view.height / 4); }
 
-/// Shapes at which rays end, where they are not larger than what is seen.
+/// Shapes at which rays end, where they are not larger than what is seen. Of very many shapes none
+/// is as large as that it would matter.
 void add_shapes_met(std::vector<Point3>& points, const Document& document, const Extent& extent,
                     const std::vector<RayPath>& paths) {
-    constexpr std::size_t most = 2'000'000;  // of pairs that are looked at
+    constexpr std::size_t most_shapes = 50'000, most_pairs = 2'000'000;  // that are looked at
     const auto& shapes = document.world().shapes.shapes();
-    if (shapes.size() * paths.size() > most) {
+    if (shapes.size() > most_shapes || shapes.size() * paths.size() > most_pairs) {
         return;
     }
     for (PrimitiveId id = 0; id < shapes.size(); ++id) {

@@ -20,6 +20,8 @@ struct View {
     int width = 1;            ///< in pixels
     int height = 1;
     int foot = 34;  ///< pixels along the lower edge that the legend covers: nothing is fitted there
+
+    friend bool operator==(const View&, const View&) = default;
 };
 
 /// Unit vectors to the right of the picture, upwards, and away from the viewer.

@@ -158,7 +158,7 @@ Explanation kept(const ExplanationAsked& asked, const Known& known) {
 }  // namespace
 
 void Explainer::ask(ExplanationAsked asked) {
-    constexpr std::chrono::milliseconds glance(30);
+    constexpr std::chrono::milliseconds glance(15);
     if (asked == asked_) {
         return;
     }

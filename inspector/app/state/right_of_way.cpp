@@ -2,18 +2,21 @@
 
 namespace raytree::inspector {
 
-void RightOfWay::take() {
-    if (!taken_) {
-        since_ = std::chrono::steady_clock::now();
-        taken_ = true;
+void RightOfWay::take(Who who) {
+    if (!(taken_ & who)) {
+        const std::lock_guard lock(mutex_);
+        if (!taken_) {
+            since_ = std::chrono::steady_clock::now();
+        }
+        taken_ |= who;
     }
 }
 
-void RightOfWay::leave() {
-    if (taken_) {
+void RightOfWay::leave(Who who) {
+    if (taken_ & who) {
         {
             const std::lock_guard lock(mutex_);
-            taken_ = false;
+            taken_ &= ~who;
         }
         rests_.notify_all();
     }

@@ -116,7 +116,7 @@ Changes State::trace() {
 
 /// A tree that takes no longer than a glance is waited for.
 std::optional<Changes> State::await_tree() {
-    constexpr std::chrono::milliseconds glance(60);
+    constexpr std::chrono::milliseconds glance(30);
     tracing_ = true;
     tree_work_->ask(
         [asked = question()](const std::stop_token& stop) { return answer(asked, stop); });

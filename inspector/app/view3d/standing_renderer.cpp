@@ -59,8 +59,10 @@ void StandingRenderer::add_cover(vtkActor* actor) {
 }
 
 void StandingRenderer::set_many(vtkIdType many) {
-    many_ = many;
-    forget();
+    if (many != many_) {
+        many_ = many;
+        forget();
+    }
 }
 
 vtkOpenGLRenderWindow* StandingRenderer::gl() const {

@@ -36,9 +36,6 @@ class Actions : public QObject {
     /// Runs a command; asks for its file.
     void run(const Command& command, std::string argument);
 
-  protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
   private:
     void add_menus(QMainWindow* window);
     void add_toolbar(QMainWindow* window);

@@ -7,6 +7,7 @@
 #include <QProgressDialog>
 #include <QThread>
 #include <atomic>
+#include <filesystem>
 #include <future>
 
 #include "formats/output_file.h"
@@ -51,8 +52,7 @@ void Exporter::obey(const Changes& changes) {
     if (changes.request == Request::export_picture) {
         write_picture(changes.text);
     } else if (changes.request == Request::export_window) {
-        write_output(changes.text, png_of(view_->grabbed(*window_).toImage()));
-        state_.say("Written: " + changes.text);
+        write_image(view_->grabbed(*window_).toImage(), changes.text);
     } else if (changes.request == Request::export_view) {
         write_view(changes.text);
     } else if (changes.request == Request::copy_text) {
@@ -90,8 +90,13 @@ void Exporter::write_picture(const std::string& file) {
 void Exporter::write_view(const std::string& file_and_size) {
     const ViewExport wish = view_export_from(file_and_size);
     const QSize size = wish.size ? QSize(wish.size->first, wish.size->second) : view_->size();
-    write_output(wish.file, png_of(view_->image(size)));
-    state_.say("Written: " + wish.file);
+    write_image(view_->image(size), wish.file);
+}
+
+void Exporter::write_image(const QImage& image, const std::string& file) {
+    state_.do_beside("Writing " + std::filesystem::path(file).filename().string(),
+                     [&] { write_output(file, png_of(image)); });
+    state_.say("Written: " + file);
 }
 
 std::string png_of(QWidget& widget) { return png_of(widget.grab().toImage()); }

@@ -21,6 +21,7 @@ class Exporter : public QObject {
     void obey(const Changes& changes);
     void write_picture(const std::string& file);
     void write_view(const std::string& file_and_size);
+    void write_image(const QImage& image, const std::string& file);
 
     State& state_;
     QWidget* window_;

@@ -34,13 +34,14 @@
 
 namespace raytree::inspector {
 
-MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
-    apply_theme(palette_of(state_.look().theme));
+MainWindow::MainWindow(State& state) : state_(state), feed_(state), theme_(state_.look().theme) {
+    apply_theme(palette_of(theme_));
     setAcceptDrops(true);
     setDockOptions(QMainWindow::AnimatedDocks);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCentralWidget(make_centre());
+    colour_message();
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
     details_->setMinimumWidth(34 * fontMetrics().averageCharWidth());  // three columns of numbers
@@ -72,8 +73,11 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state) {
     state_.set_beside([this](const std::string& doing, const std::function<void()>& work) {
         Waiting::finish(this, qt(doing) + QStringLiteral("…"), work);
     });
-    working_.setInterval(30);
+    working_.setInterval(10);
     connect(&working_, &QTimer::timeout, this, [this] { state_.poll(); });
+    message_due_.setSingleShot(true);
+    message_due_.setInterval(250);
+    connect(&message_due_, &QTimer::timeout, this, &MainWindow::show_message);
     state_.observe([this](const Changes& changes) { obey(changes); });
 }
 
@@ -88,17 +92,27 @@ void MainWindow::show_tab() {
     }
 }
 
+void MainWindow::colour_message() {
+    const Palette& palette = palette_of(theme_);
+    message_->setStyleSheet(
+        QStringLiteral("background: %1; border-bottom: 1px solid %2")
+            .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(), qt(palette.rule).name()));
+}
+
+void MainWindow::show_message() {
+    message_due_.stop();
+    message_->setText(qt(state_.message()));
+    message_->setVisible(!state_.message().empty());
+}
+
 void MainWindow::obey(const Changes& changes) {
-    if (changes.look) {
-        apply_theme(palette_of(state_.look().theme));
+    if (changes.look && std::exchange(theme_, state_.look().theme) != state_.look().theme) {
+        apply_theme(palette_of(theme_));  // has every widget polished anew
+        colour_message();
     }
-    if (changes.message || changes.look) {
-        const Palette& palette = palette_of(state_.look().theme);
-        message_->setText(qt(state_.message()));
-        message_->setVisible(!state_.message().empty());
-        message_->setStyleSheet(QStringLiteral("background: %1; border-bottom: 1px solid %2")
-                                    .arg(qt(mixed(palette.panel, palette.light, 0.22)).name(),
-                                         qt(palette.rule).name()));
+    if (changes.message) {
+        // It takes its room from the 3D view: what is soon over is not worth saying.
+        state_.working() ? message_due_.start() : show_message();
     }
     if (changes.playback && state_.document()) {
         show_status();

@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
     void add_lesson_dock();
     void show_lesson();
     void share_room();
+    void colour_message();
+    void show_message();
     void show_tab();
     void obey(const Changes& changes);
     void show_status();
@@ -71,6 +73,7 @@ class MainWindow : public QMainWindow {
 
     State& state_;
     PictureFeed feed_;
+    Theme theme_;
     Actions* actions_ = nullptr;
     Files* files_ = nullptr;
     SideDock* side_ = nullptr;
@@ -90,6 +93,7 @@ class MainWindow : public QMainWindow {
     bool tall_tree_ = false;           ///< as the room is shared just now
     bool overlaid_ = false;            ///< whether room was left for an overlay's legend
     bool teaches_by_diagram_ = false;  ///< whether a lesson's step is about the whole of it
+    QTimer message_due_;               ///< runs out when work takes long enough to say so
     QTimer working_;                   ///< runs while a tree or an explanation is to come
     QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };

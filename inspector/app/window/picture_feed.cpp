@@ -20,8 +20,8 @@ PictureFeed::PictureFeed(State& state, QObject* parent) : QObject(parent), state
     connect(&timer_, &QTimer::timeout, this, &PictureFeed::poll);
     // While this thread does not wait for events, it answers them.
     const auto* const events = QAbstractEventDispatcher::instance();
-    connect(events, &QAbstractEventDispatcher::awake, this, [this] { window_.take(); });
-    connect(events, &QAbstractEventDispatcher::aboutToBlock, this, [this] { window_.leave(); });
+    connect(events, &QAbstractEventDispatcher::awake, this, [this] { way_->take(); });
+    connect(events, &QAbstractEventDispatcher::aboutToBlock, this, [this] { way_->leave(); });
     state_.observe([this](const Changes& changes) {
         if (changes.document || changes.values) {
             restart();
@@ -43,7 +43,7 @@ void PictureFeed::restart() {
         render_->cancel();
         ending_.push_back(std::move(render_));
     }
-    render_ = std::make_unique<PictureRender>(state_.document(), &picture_, &window_);
+    render_ = std::make_unique<PictureRender>(state_.document(), &picture_, way_.get());
     version_ = ~std::uint64_t{0};
     timer_.start();
     poll();
@@ -59,7 +59,7 @@ void PictureFeed::measure() {
     overlay_.reset();
     overlay_failed_ = false;
     if (measure_ && state_.document()) {
-        measuring_ = std::make_unique<OverlayRender>(state_.document(), *measure_, &window_);
+        measuring_ = std::make_unique<OverlayRender>(state_.document(), *measure_, way_.get());
         timer_.start();
     }
     Q_EMIT updated();

@@ -19,7 +19,7 @@ class PictureFeed : public QObject {
 
   public:
     explicit PictureFeed(State& state, QObject* parent = nullptr);
-    ~PictureFeed() override { window_.leave(); }
+    ~PictureFeed() override { way_->leave(); }
 
     const ShownPicture& picture() const { return picture_; }
     bool done() const {
@@ -32,6 +32,8 @@ class PictureFeed : public QObject {
     bool overlaid() const { return measure_.has_value(); }
     double overlay_share() const { return measuring_ ? measuring_->share() : 0; }
     bool overlay_failed() const { return overlay_failed_; }
+    /// Over the work that brings the picture in.
+    const std::shared_ptr<RightOfWay>& right_of_way() const { return way_; }
 
   Q_SIGNALS:
     void updated();
@@ -43,7 +45,7 @@ class PictureFeed : public QObject {
     void poll_overlay();
 
     State& state_;
-    RightOfWay window_;  ///< over the work below
+    std::shared_ptr<RightOfWay> way_ = std::make_shared<RightOfWay>();  ///< over the work below
     std::unique_ptr<PictureRender> render_;
     std::vector<std::unique_ptr<PictureRender>> ending_;  ///< cancelled, not yet at their end
     std::unique_ptr<OverlayRender> measuring_;            ///< null when it is done

@@ -1,11 +1,8 @@
 #include "window/run.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTimer>
 #include <cstdlib>
 
@@ -33,17 +30,10 @@ void wait_until_drawn(const State& state, MainWindow& window) {
     };
     QTimer look_again;
     look_again.start(20);
-    do {
-        while (is_coming() && time.elapsed() < longest_wait) {
-            QApplication::processEvents(
-                QEventLoop::WaitForMoreEvents);  // rests, unlike with a time
-        }
-        const int frames = window.scene_pane().frames();
-        window.scene_pane().draw_again();
-        for (int k = 0; k < 200 && window.scene_pane().frames() == frames; ++k) {
-            QApplication::processEvents(QEventLoop::AllEvents, 10);
-        }
-    } while (is_coming() && time.elapsed() < longest_wait);
+    window.scene_pane().draw_again();
+    while (is_coming() && time.elapsed() < longest_wait) {
+        QApplication::processEvents(QEventLoop::WaitForMoreEvents);  // rests, unlike with a time
+    }
     QApplication::processEvents();
 }
 
@@ -79,10 +69,7 @@ void take_screenshot(const State& state, MainWindow& window, const std::filesyst
 }  // namespace
 
 void prepare_qt() {
-    qputenv("QT_QPA_PLATFORM", "xcb");  // on other platforms of Qt the 3D view stays empty
-    QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-    format.setSamples(0);
-    QSurfaceFormat::setDefaultFormat(format);
+    qputenv("QT_QPA_PLATFORM", "xcb");  // the 3D view is drawn by X as well
 }
 
 int run_window(int& argc, char** argv, State& state, std::future<FirstView> reading,

@@ -1,36 +1,36 @@
 #pragma once
 
-#include <QVTKInteractor.h>
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
+#include <QImage>
+#include <QWidget>
 
-#include "window/scene_pane.h"
+#include "view3d/scene3d.h"
 
 namespace raytree::inspector {
 
-/// The widget that VTK draws into; it has itself prepared before every frame.
-class SceneCanvas : public QVTKOpenGLNativeWidget {
+/// With so many pixels to one of the screen's units.
+QImage image_of(const FrameImage& frame, double ratio);
+
+/// Shows the frames of the 3D view.
+class SceneCanvas : public QWidget {
+    Q_OBJECT
+
   public:
-    explicit SceneCanvas(ScenePane* pane)
-        : QVTKOpenGLNativeWidget(pane->scene3d_.window(), pane), pane_(pane) {
-        interactor()->SetInteractorStyle(nullptr);  // mouse and keys are the pane's
-    }
+    explicit SceneCanvas(QWidget* parent);
+
+    void show_frame(const QImage& frame);
+    void set_palette_of(Theme theme);
+
+  Q_SIGNALS:
+    /// A frame is on the screen.
+    void drawn();
 
   protected:
-    void paintGL() override {
-        // The widget alone may show once more what VTK drew last, so what is new is drawn here.
-        if (pane_->prepare_frame()) {
-            // VTK tells the widget of the new frame, which would have all be painted once more.
-            setAttribute(Qt::WA_UpdatesDisabled, true);
-            renderWindow()->Render();
-            setAttribute(Qt::WA_UpdatesDisabled, false);
-            pane_->finish_frame();
-        }
-        QVTKOpenGLNativeWidget::paintGL();
-    }
+    void paintEvent(QPaintEvent* event) override;
 
   private:
-    ScenePane* pane_;
+    QImage frame_;  ///< null until there is one
+    Theme theme_ = Theme::light;
+    bool is_new_ = false;
 };
 
 }  // namespace raytree::inspector

@@ -17,15 +17,23 @@ WordBox box_of(const QRectF& r) { return {r.x(), r.y(), r.width(), r.height()}; 
 
 }  // namespace
 
-SceneOverlay::SceneOverlay(const State& state, const View& view, QWidget* parent)
-    : QWidget(parent), state_(state), view_(view) {
+SceneOverlay::SceneOverlay(const State& state, QWidget* parent) : QWidget(parent), state_(state) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
 }
 
-void SceneOverlay::set_labels(std::vector<SceneLabel> labels, std::vector<WordLine> lines) {
+void SceneOverlay::set_labels(const View& view, std::vector<SceneLabel> labels,
+                              std::vector<WordLine> lines) {
+    view_ = view;
     labels_ = std::move(labels);
     lines_ = std::move(lines);
+    update();
+}
+
+void SceneOverlay::take_words_of(const SceneOverlay& other) {
+    legend_ = other.legend_;
+    notes_ = other.notes_;
+    setFont(other.font());
 }
 
 void SceneOverlay::set_legend(const SceneLegend& legend) {
@@ -45,7 +53,7 @@ void SceneOverlay::paintEvent(QPaintEvent*) {
     if (state_.look().names) {
         draw_labels(painter, box);
     }
-    if (shows_focus_) {
+    if (parentWidget()) {
         draw_focus(painter, *parentWidget(), palette_of(state_.look().theme));
     }
 }

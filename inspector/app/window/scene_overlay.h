@@ -15,15 +15,15 @@ namespace raytree::inspector {
 /// other; one that finds no room is left out.
 class SceneOverlay : public QWidget {
   public:
-    SceneOverlay(const State& state, const View& view, QWidget* parent);
+    SceneOverlay(const State& state, QWidget* parent);
 
-    /// To be called while the view beneath is painted: the overlay is painted next.
-    void set_labels(std::vector<SceneLabel> labels, std::vector<WordLine> lines);
+    /// Over a frame that shows this view.
+    void set_labels(const View& view, std::vector<SceneLabel> labels, std::vector<WordLine> lines);
     void set_legend(const SceneLegend& legend);
     /// Sentences below the legend: what of the tree is not drawn.
     void set_notes(const QStringList& notes);
-    /// Whether it shows that keys go to the view, as it does on the screen.
-    void show_focus(bool shown) { shows_focus_ = shown; }
+    /// The legend and notes of another overlay, in its letters.
+    void take_words_of(const SceneOverlay& other);
     /// How much of the lower edge the legend takes in a view of this width, its margins included.
     int foot(int width) const;
 
@@ -51,12 +51,11 @@ class SceneOverlay : public QWidget {
     void draw_labels(QPainter& painter, QRectF legend) const;
 
     const State& state_;
-    const View& view_;
+    View view_;
     std::vector<SceneLabel> labels_;
     std::vector<WordLine> lines_;  ///< rays, which labels keep clear of
     SceneLegend legend_;
     QStringList notes_;
-    bool shows_focus_ = true;
 };
 
 }  // namespace raytree::inspector

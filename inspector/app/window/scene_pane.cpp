@@ -15,46 +15,46 @@ namespace raytree::inspector {
 namespace {
 
 const std::vector<std::shared_ptr<const PixelTree>> no_neighbours;
-constexpr int settle_time = 90;  // milliseconds without another view, shape or picture
 
 }  // namespace
 
 ScenePane::ScenePane(State& state, PictureFeed& feed, QWidget* parent)
-    : QWidget(parent), state_(state), feed_(feed) {
+    : QWidget(parent), state_(state), feed_(feed), drawing_(feed.right_of_way(), [this] {
+          QMetaObject::invokeMethod(this, &ScenePane::take_frames, Qt::QueuedConnection);
+      }) {
     canvas_ = new SceneCanvas(this);
     canvas_->installEventFilter(this);
     canvas_->setMouseTracking(true);
     canvas_->setFocusPolicy(Qt::StrongFocus);
     setFocusProxy(canvas_);
-    connect(canvas_, &QOpenGLWidget::frameSwapped, this, &ScenePane::drawn);
-    overlay_ = new SceneOverlay(state_, view_, canvas_);
+    connect(canvas_, &SceneCanvas::drawn, this, &ScenePane::drawn);
+    overlay_ = new SceneOverlay(state_, canvas_);
     setMinimumSize(240, 180);
-    settled_.setSingleShot(true);
-    settled_.setInterval(settle_time);
-    connect(&settled_, &QTimer::timeout, this, &ScenePane::settle);
-    connect(&drawing_, &QTimer::timeout, this, &ScenePane::draw_more);
-    meshed_.setInterval(20);
+    changed_.setSingleShot(true);
+    connect(&changed_, &QTimer::timeout, this, &ScenePane::ask_for_frame);
+    meshed_.setInterval(5);
     connect(&meshed_, &QTimer::timeout, this, [this] {
         if (take_mesh({})) {
             redraw();
         }
     });
-    scene3d_.set_theme(palette_of(state_.look().theme));
+    canvas_->set_palette_of(state_.look().theme);
     state_.observe([this](const Changes& changes) { obey(changes); });
-    connect(&feed_, &PictureFeed::updated, this, &ScenePane::take_picture);
+    connect(&feed_, &PictureFeed::updated, this, [this] {
+        stale_picture_ = true;
+        begin_frame();
+    });
 }
 
 ScenePane::~ScenePane() = default;
 
 void ScenePane::obey(const Changes& changes) {
     if (changes.document) {
-        mesh_ = {};
-        stale_shapes_ = true;
+        mesh_ = std::make_shared<SceneMesh>();
         take_document();
     }
     if (changes.look) {
-        scene3d_.set_theme(palette_of(state_.look().theme));
-        stale_shapes_ = true;
+        canvas_->set_palette_of(state_.look().theme);
     }
     if (changes.coats) {
         take_document();
@@ -170,9 +170,9 @@ void ScenePane::show_notes() {
                      .arg(paths_.size())
                      .arg(state_.tree()->tree.rays.size());
     }
-    if (mesh_.thinned_from > 0) {
+    if (mesh_->thinned_from > 0) {
         notes << QStringLiteral("meshes of %1 triangles are drawn with fewer")
-                     .arg(mesh_.thinned_from);
+                     .arg(mesh_->thinned_from);
     }
     if (state_.tree() && !state_.tree()->neighbours.empty()) {
         notes << QStringLiteral("thin: the trees of %1 pixels around")
@@ -186,47 +186,40 @@ void ScenePane::show_notes() {
 
 void ScenePane::change_view(const View& view) {
     view_ = view;
-    stale_view_ = true;
     redraw();
 }
 
 QImage ScenePane::image(QSize size) {
-    const View before = view_;
-    const auto take_size = [this](QSize to) {
-        canvas_->resize(to);
-        overlay_->resize(to);
-        view_.width = std::max(1, to.width());
-        view_.height = std::max(1, to.height());
-        stale_rays_ = stale_view_ = true;
-    };
-    take_size(size);
-    const auto patience = std::exchange(mesh_patience_, std::chrono::minutes(1));
-    scene3d_.draw_at_once(true);
-    const QImage frame = canvas_->grabFramebuffer();
-    scene3d_.draw_at_once(false);
-    // Onto black, as the screen shows it: converted, what is see-through would become lighter.
-    QImage image(frame.size(), QImage::Format_RGB32);
-    image.setDevicePixelRatio(frame.devicePixelRatio());
-    image.fill(Qt::black);
-    QPainter painter(&image);
-    painter.drawImage(0, 0, frame);
-    overlay_->show_focus(false);
-    overlay_->render(&painter, {}, {}, {});
-    overlay_->show_focus(true);
-    painter.end();
-    mesh_patience_ = patience;
-    take_size(this->size());
-    view_ = before;
+    View view = view_;
+    view.width = std::max(1, size.width());
+    view.height = std::max(1, size.height());
+    const Shapes shapes = shapes_for(view);
+    Described described = describe(view, shapes);
+    FrameImage drawn;
+    state_.do_beside("Drawing the 3D view",
+                     [&] { drawn = drawing_.draw_image(described.frame).get(); });
     redraw();
+    QImage image = image_of(drawn, described.frame.ratio);
+    SceneOverlay overlay(state_, nullptr);
+    overlay.take_words_of(*overlay_);
+    overlay.set_labels(view, std::move(described.labels), std::move(described.lines));
+    overlay.resize(size);
+    QPainter painter(&image);
+    overlay.render(&painter, {}, {}, {});
     return image;
 }
 
 QPixmap ScenePane::grabbed(QWidget& widget) {
-    scene3d_.draw_at_once(true);
+    const Shapes shapes = shapes_for(view_);
+    Described described = describe(view_, shapes);
+    FrameImage drawn;
+    state_.do_beside("Drawing the 3D view",
+                     [&] { drawn = drawing_.draw_image(described.frame).get(); });
+    canvas_->show_frame(image_of(drawn, described.frame.ratio));
+    overlay_->set_labels(described.frame.view, std::move(described.labels),
+                         std::move(described.lines));
     redraw();
-    const QPixmap image = widget.grab();
-    scene3d_.draw_at_once(false);
-    return image;
+    return widget.grab();
 }
 
 std::optional<QPointF> ScenePane::place_of(const Point3& p) const {
@@ -239,11 +232,12 @@ void ScenePane::resizeEvent(QResizeEvent*) {
     overlay_->setGeometry(canvas_->rect());
     view_.width = std::max(1, width());
     view_.height = std::max(1, height());
-    stale_view_ = true;
     if (state_.document() && standing_) {
         obey(*standing_);
     }
     redraw();
 }
+
+void ScenePane::showEvent(QShowEvent*) { redraw(); }
 
 }  // namespace raytree::inspector

@@ -11,8 +11,9 @@
 #include "drawing/scene_mesh.h"
 #include "drawing/words.h"
 #include "state/newest_work.h"
-#include "view3d/scene3d.h"
+#include "view3d/scene_drawing.h"
 #include "window/picture_feed.h"
+#include "window/scene_labels.h"
 
 namespace raytree::inspector {
 
@@ -34,12 +35,17 @@ class ScenePane : public QWidget {
     const View& view() const { return view_; }
     /// How many frames have been drawn.
     int frames() const { return frames_; }
-    /// Whether the shapes that are drawn are those of the scene shown, all of them as they are.
-    bool has_shapes() const { return !meshing_ && !scene3d_.is_rough(); }
-    /// Whether the last frame drew no more than rays over shapes that had stood still.
-    bool keeps() const { return scene3d_.keeps(); }
+    /// Whether the last of them shows everything as it is now, many shapes roughly, and the picture
+    /// as it may have been.
+    bool is_current() const { return !stale_ && !meshing_ && shown_ >= current_; }
+    /// Whether it shows them as they are, too.
+    bool has_shapes() const { return is_current() && !rough_; }
+    /// Whether no more than rays was drawn for it, over shapes that had stood still.
+    bool keeps() const { return is_current() && keeps_; }
     /// Asks for a frame with everything as it is now.
     void draw_again() { redraw(); }
+    /// Waits for that frame.
+    void catch_up();
     /// What the pane shows, drawn at another size.
     QImage image(QSize size);
     /// An image of a widget that holds the view, which shows all shapes as they are.
@@ -53,16 +59,22 @@ class ScenePane : public QWidget {
 
   protected:
     void resizeEvent(QResizeEvent*) override;
+    void showEvent(QShowEvent*) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    friend class SceneCanvas;
+    using Shapes = std::shared_ptr<const SceneMesh>;
+    /// A frame to be drawn, and what is written over it.
+    struct Described {
+        SceneFrame frame;
+        std::vector<SceneLabel> labels;
+        std::vector<WordLine> lines;
+    };
 
     void obey(const Changes& changes);
     void obey(Request request);
     void take_document();
     void take_tree();
-    void take_picture();
     /// None where there is no such view.
     std::optional<View> asked_view(Request request) const;
     std::vector<Point3> selected_points() const;
@@ -70,17 +82,17 @@ class ScenePane : public QWidget {
     void show_notes();
     void make_mesh(double pixel);
     bool take_mesh(std::chrono::milliseconds patience);
-    void place_picture();
-    void prepare_rays();
-    std::vector<WordLine> ray_lines() const;
-    void lay_shapes_over(std::initializer_list<const Mesh*> things);
-    bool looks_from_the_eye() const;
-    /// Hands over what has changed since the last frame; whether anything has.
-    bool prepare_frame();
+    Shapes shapes_for(const View& view);
+    PicturePlace picture_place(const View& view) const;
+    Described describe(const View& view, const Shapes& shapes) const;
+    SceneThings things(const View& view, const SceneMesh& shapes) const;
+    std::vector<WordLine> ray_lines(const View& view) const;
+    bool looks_from_the_eye(const View& view) const;
     void redraw();
-    void finish_frame();
-    void settle();
-    void draw_more();
+    void begin_frame();
+    void ask_for_frame();
+    void take_frames();
+    void show_frame(const DrawnFrame& frame);
     void drag(QPointF by, bool move);
     void click(QPointF at);
     void show_hint(QPointF at, QPoint global);
@@ -89,31 +101,32 @@ class ScenePane : public QWidget {
 
     State& state_;
     PictureFeed& feed_;
-    Scene3d scene3d_;
     SceneCanvas* canvas_ = nullptr;
     SceneOverlay* overlay_ = nullptr;
     View view_;
     Extent extent_;
-    SceneMesh mesh_;
-    std::vector<std::size_t> shape_order_;  ///< of its objects, where they are see-through
+    Shapes mesh_ = std::make_shared<SceneMesh>();
+    std::shared_ptr<const ShownPicture> picture_;
     std::vector<RayPath> paths_;
     std::vector<RayPath> beside_;  ///< of the pixels around
-    bool stale_shapes_ = false;    ///< what the next frame has to be given anew
-    bool stale_rays_ = false;
-    bool stale_view_ = false;
-    double mesh_pixel_ = 0;  ///< for which mesh_ has been made, or is being made
+    double mesh_pixel_ = 0;        ///< for which mesh_ has been made, or is being made
     bool meshing_ = false;
-    std::chrono::milliseconds mesh_patience_{40};
     NewestWork<SceneMesh> mesh_work_;
-    QTimer meshed_;  ///< asks for it
-    bool stale_picture_ = false;
-    QTimer settled_;  ///< runs out when the view has stood still for a while
-    QTimer drawing_;  ///< then draws many shapes little by little
+    QTimer meshed_;               ///< asks for it
+    bool stale_ = false;          ///< something has changed since the last frame was asked for
+    bool stale_picture_ = false;  ///< the picture has
+    QTimer changed_;              ///< runs out when all that changes at once has changed
+    int many_ = SceneFrame{}.many;
+    Described described_;                 ///< what the last frame was asked for to show
+    int asked_ = 0, shown_ = 0;           ///< numbers of frames
+    int current_ = 0;                     ///< of the first that shows everything as it is
+    bool rough_ = false, keeps_ = false;  ///< the frame that is shown
     QPointF pressed_, last_;
     bool dragged_ = false;
     int frames_ = 0;
     /// The view that was asked for, until it is turned by hand: it is fitted to the pane's size.
     std::optional<Request> standing_ = Request::from_side;
+    SceneDrawing drawing_;  ///< the last one: it ends before what it tells ends
 };
 
 }  // namespace raytree::inspector

@@ -3,13 +3,16 @@
 //
 // Usage: raytree_inspector_blocks [SCENE...]   (a display is needed, such as Xvfb's)
 //
-// Without scenes: the sphereflake, and a terrain of 10^6 triangles as an OBJ file. The processor's
-// time, in brackets, is that of the window's thread.
+// Without scenes: the sphereflake, a terrain of 10^6 triangles as an OBJ file, and all lessons,
+// step by step. The processor's time, in brackets, is that of the window's thread. What is asked
+// for is shown some time after the window has answered: the last columns say how many frames of the
+// 3D view were drawn until everything was shown, and within how many milliseconds.
 
 #include <QMouseEvent>
 
 #include "folders.h"
 #include "inspector/hand.h"
+#include "lesson/lesson_folder.h"
 #include "state/commands.h"
 #include "support/generate.h"
 #include "support/scene_files.h"
@@ -23,14 +26,16 @@ class Measuring {
 
     template <class Act> void measure(const std::string& what, Act act) {
         heart_.begin();
+        const int frames = pane_.frames();
         const Stopwatch watch;
         act();
-        do {
-            process_for(150);
-        } while (state_.working() || !pane_.has_shapes());
+        process_for(5);
+        process_while([&] { return state_.working() || !pane_.has_shapes(); });
+        const double shown = watch.read().clock;
+        process_for(150);
         const Time longest = heart_.longest();
-        std::printf("    %-30s %8.1f (%8.1f) ms   of %8.0f\n", what.c_str(), longest.clock,
-                    longest.process, watch.read().clock);
+        std::printf("    %-30s %8.1f (%8.1f) ms   %4d frames in %8.0f\n", what.c_str(),
+                    longest.clock, longest.process, pane_.frames() - frames, shown);
         std::fflush(stdout);
     }
     void command(const std::string& id, const std::string& argument = {}) {
@@ -98,13 +103,31 @@ void go_through(const std::string& file, State& state, MainWindow& window) {
     blocked.command("explain.nothing");
     blocked.command("explain.depth");
     blocked.command("explain.nothing");
+    blocked.command("look.dark");
+    blocked.command("look.dark");
+}
+
+/// As a student goes through them, but for the reading.
+void go_through_lessons(State& state, MainWindow& window) {
+    Measuring blocked(state, window.scene_pane());
+    std::printf("lessons\n");
+    for (const std::string& name : lesson::lesson_names(lesson::own_lessons())) {
+        blocked.measure(name, [&] {
+            run_command(state, "lesson.open", name);
+            for (std::size_t step = 0; step < state.lesson()->count(); ++step) {
+                state.go_to_lesson_step(step);
+                process_for(100);
+            }
+        });
+    }
 }
 
 void run(std::vector<std::string> files, int argc, char** argv) {
     ShownWindow shown(argc, argv);
     process_for(500);
     const raytree::bench::TemporaryFolder folder;
-    if (files.empty()) {
+    const bool all = files.empty();
+    if (all) {
         const std::string terrain = raytree::bench::write_scene_files(
             raytree::bench::generate("terrain", 1'000'000), folder);
         files = {RAYTREE_DATA_DIR "/scenes/sphereflake.json", terrain};
@@ -112,6 +135,9 @@ void run(std::vector<std::string> files, int argc, char** argv) {
     std::printf("longest time without an answer, by the clock (of the window's thread)\n");
     for (const std::string& file : files) {
         go_through(file, shown.state, shown.window);
+    }
+    if (all) {
+        go_through_lessons(shown.state, shown.window);
     }
 }
 

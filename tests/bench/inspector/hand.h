@@ -57,7 +57,7 @@ template <class Act> Time time_of(const State& state, ScenePane& pane, Act act) 
     QEventLoop loop;
     const int frames = pane.frames();
     QObject::connect(&pane, &ScenePane::drawn, &loop, [&] {
-        if (pane.frames() > frames && !state.working()) {
+        if (pane.frames() > frames && pane.is_current() && !state.working()) {
             loop.quit();
         }
     });
