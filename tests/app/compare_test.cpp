@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -134,6 +135,26 @@ TEST_CASE("app: a tree of bare numbers is shown with what it gives and no more")
     CHECK(texts.intensity.starts_with("0.500"));
     const DetailSection section = recorded_details(*state.tree(), 0);
     CHECK(section.sentences.front().find("Not in the file") != std::string::npos);
+    const auto intensity = std::ranges::find(section.rows, "intensity", &DetailRow::label);
+    REQUIRE(intensity != section.rows.end());
+    CHECK(intensity->values == std::vector{0.5, 0.5, 0.5});  // in columns, to be copied
+    // The largest tree is that of the scene where the file does not say.
+    const double levels = scene.settings.max_depth, lights = double(scene.lights.size());
+    CHECK(state.tree()->tree.counts.full_tree == (lights + 1) * (std::pow(2, levels) - 1));
+}
+
+TEST_CASE("app: of a shadow ray that a file calls dark, no more is said than the file says") {
+    const Scene scene = test::glass_ball_scene();
+    const TreeFile file(std::string(R"({"format": "raytree/1.0", "pixel": [40, 30], "rays": [
+        {"id": 0, "kind": "primary", "intensity": [0.5, 0.5, 0.5]},
+        {"id": 1, "kind": "shadow", "parent": 0, "light": "key", "transmittance": [0, 0, 0]}]})"));
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    REQUIRE(state.tree()->recorded);
+    const OutlineTexts texts = texts_of(*state.tree(), {1, std::nullopt, 0, 0});
+    CHECK(texts.met == "not given");
+    CHECK(texts.ended == "blocked");
 }
 
 TEST_CASE("app: a tree that lies outside of the picture is refused, and nothing changes") {

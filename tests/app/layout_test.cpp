@@ -91,7 +91,7 @@ class LayoutTest : public test::ShownWindow {
         QTRY_VERIFY(state_.tree() && state_.tree()->contrast);
         state_.show_side(SidePane::compare);
         QTest::qWait(50);
-        check_column(Column::ray);
+        check_outline();
         run_command(state_, "compare.end");
         state_.pick({40, 30});
         QTRY_VERIFY(state_.tree());

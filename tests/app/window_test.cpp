@@ -6,6 +6,8 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QTabBar>
@@ -109,6 +111,32 @@ class WindowTest : public test::ShownWindow {
         QTest::keyClick(&window_->picture_pane(), Qt::Key_Down, Qt::ShiftModifier);
         QCOMPARE(state_.pixel().i, 41);
         QCOMPARE(state_.pixel().j, 40);
+    }
+
+    void arrows_go_through_an_open_menu_and_leave_the_pixel() {
+        PicturePane& picture = window_->picture_pane();
+        picture.setFocus();
+        state_.pick({20, 20});
+        QMenu& menu = *window_->menuBar()->actions().front()->menu();
+        menu.popup(window_->mapToGlobal({10, 30}));
+        QTRY_VERIFY(QApplication::activePopupWidget());
+        QTest::keyClick(&picture, Qt::Key_Right);
+        QTest::keyClick(&picture, Qt::Key_Down);
+        menu.close();
+        QCOMPARE(state_.pixel(), (Pixel{20, 20}));
+        QTest::keyClick(&picture, Qt::Key_Right);
+        QCOMPARE(state_.pixel(), (Pixel{21, 20}));
+    }
+
+    void each_menu_has_a_key_of_its_own() {
+        QString keys;
+        for (const QAction* const menu : window_->menuBar()->actions()) {
+            const int at = menu->text().indexOf(QLatin1Char('&'));
+            QVERIFY2(at >= 0, qPrintable(menu->text()));
+            const QChar key = menu->text()[at + 1].toLower();
+            QVERIFY2(!keys.contains(key), qPrintable(menu->text()));
+            keys += key;
+        }
     }
 
     void the_wheel_zooms_about_the_cursor() {

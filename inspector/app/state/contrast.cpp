@@ -8,6 +8,7 @@
 #include "check/describe.h"
 #include "check/forge.h"
 #include "check/rulebook.h"
+#include "scene/plan.h"
 #include "state/contrast_lines.h"
 #include "tree/error_bounds.h"
 #include "tree/explain.h"
@@ -90,6 +91,12 @@ PixelTree tree_from(const TreeSource& source, const std::stop_token& stop) {
     if (source.recorded) {
         tree.tree = source.recorded->tree;
         tree.recorded = source.recorded;
+        if (tree.tree.counts.full_tree == 0) {  // the file has no settings: the scene has them
+            const Scene& scene = source.document->scene();
+            tree.tree.settings = scene.settings;
+            tree.tree.counts.lights = scene.lights.size();
+            tree.tree.counts.full_tree = full_tree_rays(scene);
+        }
     } else {
         tree.tree = record_tree(source.document->world(), source.pixel.i, source.pixel.j, stop);
         tree.tree.scene_sha256 = source.document->loaded().sha256;

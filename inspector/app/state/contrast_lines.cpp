@@ -1,9 +1,11 @@
 #include "state/contrast_lines.h"
 
 #include <algorithm>
+#include <span>
 
 #include "check/align.h"
 #include "check/describe.h"
+#include "state/numbers.h"
 #include "tree/explain.h"
 
 namespace raytree::inspector {
@@ -204,9 +206,34 @@ std::string summary_of(const Contrast& contrast) {
 
 namespace {
 
+constexpr int usual_digits = 6, most_digits = 8;
+
 DetailRow words(std::string label, std::string cell) {
     DetailRow row{std::move(label), {std::move(cell)}, DetailRow::Weight::normal, true, {}};
     return row;
+}
+
+/// Numbers in their columns, to be copied in full.
+DetailRow value_row(std::string label, const check::Value& value, int digits = usual_digits) {
+    if (value.numbers.size == 0) {
+        return words(std::move(label), value.none() ? "none" : check::value_text(value));
+    }
+    const std::span numbers(value.numbers.x.data(), static_cast<std::size_t>(value.numbers.size));
+    return {std::move(label),
+            aligned(numbers, digits),
+            DetailRow::Weight::normal,
+            false,
+            {},
+            {numbers.begin(), numbers.end()}};
+}
+
+/// What a quantity is in both trees, with so many digits that the two are not alike.
+void add_both(const check::FieldDifference& one, std::vector<DetailRow>& rows) {
+    const bool alike = value_row("", one.first).cells == value_row("", one.second).cells;
+    const int digits = alike ? most_digits : usual_digits;
+    rows.push_back(words("≠ " + std::string(check::text_of(one.field).name), ""));
+    rows.push_back(value_row("   here", one.first, digits));
+    rows.push_back(value_row("   there", one.second, digits));
 }
 
 }  // namespace
@@ -234,12 +261,7 @@ std::vector<DetailSection> contrast_details(const PixelTree& tree, std::size_t r
                                     std::to_string(*contrast.counterparts[ray]) + ".");
     }
     for (const check::FieldDifference& one : found) {
-        const std::string name(check::text_of(one.field).name);
-        const auto text = [](const check::Value& value) {
-            return value.none() ? std::string("none") : check::value_text(value);
-        };
-        section.rows.push_back(words("≠ " + name, "here  " + text(one.first)));
-        section.rows.push_back(words("", "there  " + text(one.second)));
+        add_both(one, section.rows);
     }
     for (const ContrastLine& line : contrast.lines) {
         if (line.ray == ray && contrast.what == What::file) {
@@ -259,7 +281,7 @@ DetailSection recorded_details(const PixelTree& tree, std::size_t ray) {
         const check::Value value = check::value_of(tree.tree, ray, field);
         const std::string name(check::text_of(field).name);
         if (recorded.gives(ray, field) && !value.none()) {
-            section.rows.push_back(words(name, check::value_text(value)));
+            section.rows.push_back(value_row(name, value));
         } else if (!recorded.gives(ray, field) && !value.none()) {
             absent += (absent.empty() ? "" : ", ") + name;
         }

@@ -15,10 +15,21 @@ std::string named(RayKind kind, const std::string& light) {
 }
 
 /// What a shadow ray meets, and why its light does not come.
-void add_fate(const TreeRay<double>& ray, OutlineTexts& texts) {
+void add_fate(const PixelTree& tree, const TreeRay<double>& ray, OutlineTexts& texts) {
     const ShadowPart<double>& shadow = *ray.shadow;
-    texts.met = shadow.blocked_by ? shadow.blocked_by->object : "the light";
-    texts.ended = shadow.blocked_by ? "blocked" : reaches_light(ray) ? "" : "dimmed to 0";
+    if (shadow.blocked_by) {
+        texts.met = shadow.blocked_by->object;
+        texts.ended = "blocked";
+    } else if (reaches_light(ray)) {
+        texts.met = "the light";
+    } else if (tree.recorded && tree.is_own(ray.id) &&
+               !tree.recorded->gives(ray.id, Field::blocked_by)) {
+        texts.met = "not given";
+        texts.ended = "blocked";
+    } else {
+        texts.met = "the light";
+        texts.ended = "dimmed to 0";
+    }
 }
 
 }  // namespace
@@ -94,7 +105,7 @@ OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row) {
     OutlineTexts texts;
     texts.ray = named(ray.kind, ray.shadow ? ray.shadow->light : "");
     if (ray.shadow) {
-        add_fate(ray, texts);
+        add_fate(tree, ray, texts);
         if (ray.shadow->blocked_by || ray.shadow->distance) {
             texts.t = number_text(ray.shadow->blocked_by ? ray.shadow->blocked_by->t
                                                          : *ray.shadow->distance);

@@ -1,5 +1,6 @@
 #include "window/actions.h"
 
+#include <QApplication>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -35,6 +36,17 @@ QList<QKeySequence> keys_of(const Command& command) {
     return keys;
 }
 
+/// The title with a key of its own: its first letter that no menu before has, which joins `taken`.
+QString with_own_key(QString title, QString& taken) {
+    for (int k = 0; k < title.size(); ++k) {
+        if (!taken.contains(title[k], Qt::CaseInsensitive)) {
+            taken += title[k];
+            return title.insert(k, QLatin1Char('&'));
+        }
+    }
+    return title;
+}
+
 }  // namespace
 
 Actions::Actions(State& state, QMainWindow* window, AskFile ask_file,
@@ -48,6 +60,7 @@ Actions::Actions(State& state, QMainWindow* window, AskFile ask_file,
     add_menus(window);
     add_toolbar(window);
     refresh(true);
+    QApplication::instance()->installEventFilter(this);
     state_.observe([this](const Changes& changes) { refresh(changes.look); });
 }
 
@@ -94,6 +107,15 @@ void Actions::run(const Command& command, std::string argument) {
     refresh(false);  // a switch that Qt has turned stands as the state says
 }
 
+/// While a menu is open its keys are its own: arrows go through it and change no pixel.
+bool Actions::eventFilter(QObject*, QEvent* event) {
+    if (event->type() != QEvent::ShortcutOverride || !QApplication::activePopupWidget()) {
+        return false;
+    }
+    event->accept();
+    return true;
+}
+
 void Actions::leave_to(Files& files) {
     files_ = &files;
     file_menu_->insertMenu(actions_["file.reload"], files.recent_menu());
@@ -101,13 +123,14 @@ void Actions::leave_to(Files& files) {
 
 void Actions::add_menus(QMainWindow* window) {
     std::map<std::string_view, QMenu*> menus;
+    QString taken;
     for (const Command& command : commands()) {
         if (command.menu.empty()) {
             continue;
         }
         QMenu*& menu = menus[command.menu];
         if (!menu) {
-            menu = window->menuBar()->addMenu(QLatin1Char('&') + qt(command.menu));
+            menu = window->menuBar()->addMenu(with_own_key(qt(command.menu), taken));
             file_menu_ = file_menu_ ? file_menu_ : menu;
         }
         if (command.rule_before) {

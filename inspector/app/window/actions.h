@@ -36,6 +36,9 @@ class Actions : public QObject {
     /// Runs a command; asks for its file.
     void run(const Command& command, std::string argument);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     void add_menus(QMainWindow* window);
     void add_toolbar(QMainWindow* window);

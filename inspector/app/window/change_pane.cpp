@@ -221,6 +221,7 @@ void ChangePane::add_row(QFormLayout* form, const Knob& knob) {
     row.slider->setPageStep(whole ? 1 : slider_steps / 20);
     row.field->setMinimumWidth(
         row.field->fontMetrics().horizontalAdvance(QStringLiteral("0.00, 0.00, 0.00")) + 14);
+    row.slider->setMinimumWidth(7 * fontMetrics().averageCharWidth());
     layout->addWidget(row.slider, 1);
     layout->addWidget(row.field);
     form->addRow(label, box);

@@ -101,6 +101,7 @@ void show_cheat_sheet(const State& state, QWidget* parent,
     list->setHeaderLabels({QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("Menu"),
                            QStringLiteral("What it does")});
     list->setRootIsDecorated(false);
+    list->setWordWrap(true);  // what a command does is read to its end in a narrow window too
     list->setFocusPolicy(Qt::NoFocus);  // whatever is typed is searched for
     fill(list, state);
     for (const int column : {title_column, key_column, menu_column}) {

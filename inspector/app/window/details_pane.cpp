@@ -96,6 +96,11 @@ class Writer {
         const bool faint = row.weight == DetailRow::Weight::faint;
         const bool strong = row.weight == DetailRow::Weight::strong;
         const QString label_colour = qt(palette_.dim_text).name();
+        if (row.is_text && row.cells.front().empty()) {  // a label for the rows below it
+            html_ += QStringLiteral("<tr><td colspan='4' style='color:%1'>%2</td></tr>")
+                         .arg(label_colour, escaped(row.label));
+            return;
+        }
         const QString colour = faint ? label_colour : qt(palette_.text).name();
         html_ +=
             QStringLiteral("<tr><td width='31%' style='color:%1; padding-right:6px'>%2%3%4%5</td>")

@@ -126,11 +126,14 @@ QVariant OutlineModel::text(const OutlineRow& row, Column column) const {
 
 /// What follows a ray's name stands after three blanks: a sign and what it means.
 QString OutlineModel::signed_briefly(const QString& text) const {
+    if (!brief_) {
+        return text;
+    }
     QStringList parts = text.split(QStringLiteral("   "));
-    for (int k = 1; brief_ && k < parts.size(); ++k) {
+    for (int k = 1; k < parts.size(); ++k) {
         parts[k] = parts[k].section(QLatin1Char(' '), 0, 0);
     }
-    return parts.join(QStringLiteral("   "));
+    return parts.join(QLatin1Char(' ')).replace(QStringLiteral("  "), QStringLiteral(" "));
 }
 
 QString OutlineModel::widest_ray() const {

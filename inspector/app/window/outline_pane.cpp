@@ -28,9 +28,9 @@ int indentation_for(const PixelTree* tree) {
 
 constexpr int around_text = 16;  // pixels: a cell's padding and margins
 
-/// Names of objects are shortened, the other texts are not: what is left for names where all is
-/// written out, and in a narrow pane.
-constexpr int wanted_letters = 20, least_letters = 9;
+/// Names of objects are shortened, the other texts are not: what is left for names at least where
+/// everything is written out.
+constexpr int wanted_letters = 20;
 
 /// Leaves to `drawRow` what becomes of rays that were not sent.
 class MetDelegate : public QStyledItemDelegate {
@@ -215,7 +215,7 @@ void OutlinePane::contextMenuEvent(QContextMenuEvent* event) {
 int OutlinePane::width_for(Column column) const {
     const QFontMetrics metrics(font());
     const auto of = [&](const char* text) {
-        return metrics.horizontalAdvance(QString::fromUtf8(text)) + 14;
+        return metrics.horizontalAdvance(QString::fromUtf8(text)) + 13;
     };
     switch (column) {
         case Column::intensity:
@@ -223,6 +223,8 @@ int OutlinePane::width_for(Column column) const {
         case Column::t:
         case Column::attenuation:
             return of("1.234e-5");
+        case Column::met:
+            return of(state_.tree() && state_.tree()->recorded ? "not given" : "the light");
         case Column::ended:
             return of("no intersection");
         case Column::level:
@@ -268,14 +270,14 @@ int OutlinePane::left_for_names(bool brief) {
 /// Beyond the pane's edge is nothing, as long as there is room for a few letters of each name; from
 /// there on the pane scrolls.
 void OutlinePane::size_columns() {
-    const int letter = fontMetrics().averageCharWidth();
+    const int wanted = wanted_letters * fontMetrics().averageCharWidth();
     int rest = left_for_names(false);
-    if (rest < wanted_letters * letter) {
+    if (rest < wanted) {
         rest = left_for_names(true);
     }
-    const int spare = std::max(0, rest - wanted_letters * letter) / 3;
+    const int spare = std::max(0, rest - wanted) / 3;
     setColumnWidth(static_cast<int>(Column::ray), width_for_rays() + spare);
-    setColumnWidth(static_cast<int>(Column::met), std::max(rest - spare, least_letters * letter));
+    setColumnWidth(static_cast<int>(Column::met), std::max(rest - spare, width_for(Column::met)));
     setIndentation(brief_ ? least_indented : indentation_for(state_.tree().get()));
     viewport()->update();
 }
