@@ -97,6 +97,30 @@ class LayoutTest : public test::ShownWindow {
         QTRY_VERIFY(state_.tree());
     }
 
+    void three_columns_fit_into_a_narrow_window() {
+        state_.show_side(SidePane::change);
+        QTest::qWait(50);
+        if (has_usual_font()) {
+            QVERIFY2(window_->minimumSizeHint().width() <= 1000,
+                     qPrintable(QString::number(window_->minimumSizeHint().width())));
+        }
+        const QSize before = window_->size();
+        window_->resize(window_->minimumSizeHint());
+        QTest::qWait(50);
+        for (const SidePane pane : {SidePane::change, SidePane::none}) {
+            state_.show_side(pane);
+            QTest::qWait(50);
+            const DetailsPane& details = window_->details_pane();
+            for (QTextBlock block = details.document()->begin(); block.isValid();
+                 block = block.next()) {  // numbers stay in one piece
+                if (block.text().startsWith(QStringLiteral("0."))) {
+                    QCOMPARE(block.layout()->lineCount(), 1);
+                }
+            }
+        }
+        window_->resize(before);
+    }
+
     void why_a_ray_was_not_sent_stands_beside_it() {
         bool found = false;
         for (const QModelIndex& row : open_rows()) {

@@ -127,7 +127,7 @@ class Writer {
                      ? QStringLiteral("<td colspan='3' align='left'>%1</td>").arg(text)
                      : QStringLiteral(
                            "<td align='right' style='color:%1; "
-                           "font-family:%2'>%3%4%5</td>")
+                           "font-family:%2; white-space:nowrap'>%3%4%5</td>")
                            .arg(colour, mono_, strong ? "<b>" : "", text, strong ? "</b>" : "");
     }
 

@@ -1,5 +1,6 @@
 #include <QDockWidget>
 #include <QLabel>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -48,10 +49,15 @@ void MainWindow::add_tree_dock() {
     counts_pane_ = new CountsPane(state_);
     tree_panes_ = new QStackedWidget;
     tabs_ = new QTabBar;
+    auto* const filter_area = new QScrollArea;  // where the window is narrow, it scrolls
+    filter_area->setFrameShape(QFrame::NoFrame);
+    filter_area->setWidgetResizable(true);
+    filter_area->setWidget(filter_);
+    filter_area->setFocusProxy(filter_);
     const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
                                                       {"Diagram", diagram_},
                                                       {"Counts", counts_pane_},
-                                                      {"Rays shown", filter_},
+                                                      {"Rays shown", filter_area},
                                                       {"Explained", new ExplainedPane(state_)}};
     for (const auto& [title, pane] : panes) {
         tabs_->addTab(QString::fromUtf8(title));

@@ -292,7 +292,8 @@ void OutlinePane::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
     const QModelIndex met = index.siblingAtColumn(static_cast<int>(Column::met));
     const int ray = static_cast<int>(Column::ray);
     const int left = columnViewportPosition(ray) + columnWidth(ray) + 3;
-    const QRect place(left, option.rect.y(), viewport()->width() - left, option.rect.height());
+    const int right = std::max(viewport()->width(), header()->length() - header()->offset());
+    const QRect place(left, option.rect.y(), right - left, option.rect.height());
     const QFont font = met.data(Qt::FontRole).value<QFont>();
     painter->save();
     painter->setFont(font);
