@@ -130,13 +130,7 @@ template <bool any_will_do, class Answers> class Flight {
     [[gnu::noinline]] void filter(std::size_t count) {
         for (std::size_t k = 0; k < count; ++k) {
             const Seat& s = seats_[now_[k]];
-            met_[k] = filter_first(searched_.filter, s.next, s.ray);
-        }
-        for (std::size_t k = 0; k < count; ++k) {
-            const Seat& s = seats_[now_[k]];
-            if (is_filtered_twice(s.next) && met_[k] != 0) {
-                met_[k] &= filter_planes(searched_.filter, s.next, s.ray);
-            }
+            met_[k] = filter_leaf(searched_.filter, s.next, s.ray);
         }
     }
 

@@ -13,45 +13,41 @@ inline unsigned may_enclose_origin(const F8 (&x)[3], const F8 (&y)[3], const F8&
            less_equal(F8::all(0) - error, min(min(e0, e1), e2));
 }
 
-/// The triangles of a leaf that the ray's line may pass through: Woop's test in float.
-inline unsigned filter_lines(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+/// The triangles of a leaf that the ray may meet between its start and its limit: its line may pass
+/// through them by Woop's test, and it may meet their planes there. A plane is met at t =
+/// (n . a) / (n . d), with n the unit normal and a the way to a vertex. With u the roundoff and |a|
+/// the sum of three sizes, n . a has an error under 8 u |a| and twice that of a, n . d one under
+/// 16 u. What is edge-on within this error may be met anywhere, and so may a sliver, whose normal
+/// is 0.
+inline unsigned filter_triangles(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+    constexpr float roundoff = 0x1p-24F;
     const std::size_t n = leaf.count();
-    const float* const rows = filter.of_leaf(leaf);
+    const auto row = [rows = filter.of_leaf(leaf), n](std::size_t k) {
+        return F8::load(rows + k * n);
+    };
     F8 x[3], y[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto coordinate = [&](std::size_t a) {
-            return F8::load(rows + (3 * k + ray.axis[a]) * n) - F8::all(ray.origin[a]);
-        };
-        const F8 z = coordinate(2);
-        x[k] = subtract_product(coordinate(0), F8::all(ray.shear_x), z);
-        y[k] = subtract_product(coordinate(1), F8::all(ray.shear_y), z);
-    }
-    return may_enclose_origin(x, y, F8::load(rows + 12 * n), ray.error);
-}
-
-/// The triangles of a leaf whose planes the ray may meet between its start and its limit: the
-/// plane is met at t = (n . a) / (n . d), with n the unit normal and a the way to a vertex. With u
-/// the roundoff and |a| the sum of three sizes, n . a has an error under 8 u |a| and twice that of
-/// a, n . d one under 16 u. What is edge-on within this error may be met anywhere, and so may a
-/// sliver, whose normal is 0.
-inline unsigned filter_planes(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
-    const std::size_t n = leaf.count();
-    const float* const rows = filter.of_leaf(leaf);
     F8 distance = F8::all(0), speed = F8::all(0), away = F8::all(0);
     for (std::size_t k = 0; k < 3; ++k) {
-        const F8 a = F8::load(rows + ray.axis[k] * n) - F8::all(ray.origin[k]);
-        const F8 normal = F8::load(rows + (9 + ray.axis[k]) * n);
-        distance = multiply_add(normal, a, distance);
-        speed = multiply_add(normal, F8::all(ray.direction[k]), speed);
-        away = away + abs(a);
+        F8 corner[3];
+        for (std::size_t a = 0; a < 3; ++a) {
+            corner[a] = row(3 * k + ray.axis[a]) - F8::all(ray.origin[a]);
+        }
+        x[k] = subtract_product(corner[0], F8::all(ray.shear_x), corner[2]);
+        y[k] = subtract_product(corner[1], F8::all(ray.shear_y), corner[2]);
+        for (std::size_t a = 0; k == 0 && a < 3; ++a) {
+            const F8 normal = row(9 + ray.axis[a]);
+            distance = multiply_add(normal, corner[a], distance);
+            speed = multiply_add(normal, F8::all(ray.direction[a]), speed);
+            away = away + abs(corner[a]);
+        }
     }
-    constexpr float roundoff = 0x1p-24F;
     const F8 q = F8::all(16 * roundoff);
     const F8 error = multiply_add(away, F8::all(8 * roundoff), F8::all(2 * ray.origin_error));
     const F8 ahead = with_sign_of(speed, distance);
-    return less_equal(abs(speed), q) |
-           (less_equal(F8::all(0) - error, ahead) &
-            less_equal(ahead, multiply_add(F8::all(ray.limit), abs(speed) + q, error)));
+    const unsigned in_time =
+        less_equal(F8::all(0) - error, ahead) &
+        less_equal(ahead, multiply_add(F8::all(ray.limit), abs(speed) + q, error));
+    return may_enclose_origin(x, y, row(12), ray.error) & (in_time | less_equal(abs(speed), q));
 }
 
 /// Whether the ray may pass spheres about `from`, seen from its origin, within their radii. The
@@ -113,12 +109,12 @@ inline unsigned filter_cones(const LeafFilter& filter, Ref leaf, const Traveller
                              multiply_add(radius, square_root(square), F8::all(4 * ray.error)));
 }
 
-/// Which shapes of a leaf are left by a first test, a bit for each.
-inline unsigned filter_first(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
+/// Which shapes of a leaf are to be met in double, a bit for each.
+inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
     const unsigned all = (2U << (leaf.count() - 1)) - 1;
     switch (leaf.kind()) {
         case LeafFilter::triangle:
-            return filter_lines(filter, leaf, ray) & all;
+            return filter_triangles(filter, leaf, ray) & all;
         case LeafFilter::sphere:
             return filter_spheres(filter, leaf, ray) & all;
         case LeafFilter::cone:
@@ -126,15 +122,6 @@ inline unsigned filter_first(const LeafFilter& filter, Ref leaf, const Traveller
         default:
             return all;
     }
-}
-
-/// Whether those that it leaves are tested again; then by `filter_planes`.
-inline bool is_filtered_twice(Ref leaf) { return leaf.kind() == LeafFilter::triangle; }
-
-/// Which shapes of a leaf are to be met in double, a bit for each.
-inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller& ray) {
-    const unsigned left = filter_first(filter, leaf, ray);
-    return is_filtered_twice(leaf) && left != 0 ? filter_planes(filter, leaf, ray) & left : left;
 }
 
 /// The triangle at a lane of a leaf, met in double, as `intersect` does it. Flattened, so that its

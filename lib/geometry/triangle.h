@@ -43,7 +43,7 @@ template <class T> bool reach_across_zero(const std::array<T, 3>& p) {
     const T low = min_of(p[0], min_of(p[1], p[2]));
     const T high = max_of(p[0], max_of(p[1], p[2]));
     const T error = 4 * Real<T>::unit_roundoff * max_of(abs(low), abs(high));
-    return low <= error && high >= -error;
+    return (low <= error) & (high >= -error);
 }
 
 /// Whether the origin of a plane is in the triangle of the points (px, py), edges and vertices
@@ -53,9 +53,10 @@ template <class T> bool encloses_origin(const std::array<T, 3>& px, const std::a
     const T e0 = px[2] * py[1] - py[2] * px[1];
     const T e1 = px[0] * py[2] - py[0] * px[2];
     const T e2 = px[1] * py[0] - py[1] * px[0];
-    const bool negative = e0 < 0 || e1 < 0 || e2 < 0;
-    const bool positive = e0 > 0 || e1 > 0 || e2 > 0;
-    return negative != positive && reach_across_zero(px) && reach_across_zero(py);
+    // Asked for all at once: no processor could guess the answer to one of them.
+    const bool negative = (e0 < 0) | (e1 < 0) | (e2 < 0);
+    const bool positive = (e0 > 0) | (e1 > 0) | (e2 > 0);
+    return (negative != positive) & reach_across_zero(px) & reach_across_zero(py);
 }
 
 /// Whether the ray's line passes through the triangle, edges and vertices included. Watertight:
