@@ -178,7 +178,7 @@ template <bool any_will_do> class Packet {
             const Traveller& one = rays_[static_cast<std::size_t>(std::countr_zero(left))];
             unsigned alike = 0;
             for (std::size_t k = 0; k < count; ++k) {
-                alike |= (rays_[k].order_shift == one.order_shift ? 1U : 0U) << k;
+                alike |= (rays_[k].octant == one.octant ? 1U : 0U) << k;
             }
             travel_together(alike & left, one, rest);
             left &= ~alike;
@@ -191,9 +191,7 @@ template <bool any_will_do> class Packet {
     };
 
     void gather(unsigned group, const Traveller& one) {
-        near_row_ = one.near_row;
-        far_row_ = one.far_row;
-        order_shift_ = one.order_shift;
+        octant_ = one.octant;
         std::array<std::array<float, most>, 3> origin;
         for (std::size_t k = 0; k < most; ++k) {
             const bool in_group = (group >> k & 1) != 0;
@@ -237,8 +235,8 @@ template <bool any_will_do> class Packet {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const Bounds& b = bounds_[axis];
             const F8 low = F8::all(b.low_inverse), high = F8::all(b.high_inverse);
-            const F8 first = F8::load(planes + near_row_[axis]) - F8::all(b.near_origin);
-            const F8 last = F8::load(planes + far_row_[axis]) - F8::all(b.far_origin);
+            const F8 first = F8::load(planes + octant_->near_row[axis]) - F8::all(b.near_origin);
+            const F8 last = F8::load(planes + octant_->far_row[axis]) - F8::all(b.far_origin);
             near = max(near, min(first * low, first * high) - F8::all(b.error));
             far = min(far, max(last * low, last * high) + F8::all(b.error));
         }
@@ -254,9 +252,9 @@ template <bool any_will_do> class Packet {
             F8 far = F8::load(&limit_[half]);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const F8 inverse = F8::load(&inverse_[axis][half]);
-                near = max(near, multiply_subtract(F8::all(planes[near_row_[axis]]), inverse,
+                near = max(near, multiply_subtract(F8::all(planes[octant_->near_row[axis]]), inverse,
                                                    F8::load(&near_bias_[axis][half])));
-                far = min(far, multiply_subtract(F8::all(planes[far_row_[axis]]), inverse,
+                far = min(far, multiply_subtract(F8::all(planes[octant_->far_row[axis]]), inverse,
                                                  F8::load(&far_bias_[axis][half])));
             }
             met |= less_equal(near, far) << half;
@@ -300,7 +298,7 @@ template <bool any_will_do> class Packet {
         std::array<float, 8> nears;
         near.store(nears.data());
         for (std::size_t place = 0; place < 8; ++place) {
-            const std::size_t k = node.order[place] >> order_shift_ & 7;
+            const std::size_t k = node.order[place] >> octant_->order_shift & 7;
             if ((met >> k & 1) == 0) {
                 continue;
             }
@@ -352,8 +350,7 @@ template <bool any_will_do> class Packet {
     std::array<float, most> limit_;
     float farthest_ = 0;  ///< the largest of them
     std::array<Bounds, 3> bounds_;
-    std::array<std::uint32_t, 3> near_row_, far_row_;
-    unsigned order_shift_ = 0;
+    const Octant* octant_ = nullptr;
     unsigned active_ = 0;
     Waiting<false> waiting_;  ///< of the packet, in order in any case
     Waiting<any_will_do> alone_;

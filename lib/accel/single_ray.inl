@@ -24,7 +24,7 @@ template <bool any_will_do> struct Waiting {
         if constexpr (any_will_do) {
             top += append_unordered(children, met, &ref[top]);
         } else {
-            top += append(entered, children, met, node.order.data(), ray.order_shift, &near[top],
+            top += append(entered, children, met, node.order.data(), ray.octant->order_shift, &near[top],
                           &ref[top]);
         }
     }

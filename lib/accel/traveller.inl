@@ -2,12 +2,30 @@
 
 using Ref = WideBvh::Ref;
 
+/// What rays have in common whose directions have the same signs.
+struct Octant {
+    std::array<std::uint32_t, 3> near_row, far_row;  ///< where a node has the planes, in floats
+    unsigned order_shift;                            ///< where the order of its children is
+};
+
+inline constexpr std::array<Octant, 8> octants = [] {
+    std::array<Octant, 8> all{};
+    for (unsigned octant = 0; octant < 8; ++octant) {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const unsigned backwards = octant >> axis & 1;
+            all[octant].near_row[axis] = 8 * (axis + 3 * backwards);
+            all[octant].far_row[axis] = 8 * (axis + 3 * (1 - backwards));
+        }
+        all[octant].order_shift = 3 * octant;
+    }
+    return all;
+}();
+
 /// A ray on its way: what the boxes and the leaves are tested with, and what it has met.
 struct Traveller {
     WideBvh::BoxRay box;
-    std::array<std::uint32_t, 3> near_row, far_row;  ///< where a node has the planes, in floats
-    unsigned order_shift = 0;                        ///< where its octant's order of children is
-    float limit = 0;                                 ///< boxes beyond are of no use
+    const Octant* octant = nullptr;
+    float limit = 0;  ///< boxes beyond are of no use
 
     RayFrame<double> frame;  ///< for the triangles
 
@@ -41,13 +59,10 @@ inline void set_frame(Traveller& ray) {
 inline void make_ready_for_boxes(const Searched& searched, Traveller& ray) {
     searched.bvh.prepare(ray.query->ray.origin, ray.query->ray.direction, ray.box);
     unsigned octant = 0;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-        const std::uint32_t backwards = ray.box.inverse[axis] < 0 ? 1 : 0;
-        octant |= backwards << axis;
-        ray.near_row[axis] = 8 * (axis + 3 * backwards);
-        ray.far_row[axis] = 8 * (axis + 3 * (1 - backwards));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        octant |= std::bit_cast<std::uint32_t>(ray.box.inverse[axis]) >> 31 << axis;
     }
-    ray.order_shift = 3 * octant;
+    ray.octant = &octants[octant];
     ray.limit = ray.box.upper(ray.end);
     ray.ready_for_boxes = true;
 }
@@ -84,11 +99,11 @@ inline void set_out(const Searched& searched, const Query<double>& query, Travel
 inline unsigned enter_children(const WideBvh::Node& node, const Traveller& ray, F8& near) {
     const float* const planes = node.min[0].data();
     const auto enter = [&](std::size_t axis) {
-        return multiply_subtract(F8::load(planes + ray.near_row[axis]),
+        return multiply_subtract(F8::load(planes + ray.octant->near_row[axis]),
                                  F8::all(ray.box.inverse[axis]), F8::all(ray.box.near_bias[axis]));
     };
     const auto leave = [&](std::size_t axis) {
-        return multiply_subtract(F8::load(planes + ray.far_row[axis]),
+        return multiply_subtract(F8::load(planes + ray.octant->far_row[axis]),
                                  F8::all(ray.box.inverse[axis]), F8::all(ray.box.far_bias[axis]));
     };
     near = max(max(enter(0), enter(1)), max(enter(2), F8::all(0)));
