@@ -252,8 +252,8 @@ template <bool any_will_do> class Packet {
             F8 far = F8::load(&limit_[half]);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const F8 inverse = F8::load(&inverse_[axis][half]);
-                near = max(near, multiply_subtract(F8::all(planes[octant_->near_row[axis]]), inverse,
-                                                   F8::load(&near_bias_[axis][half])));
+                near = max(near, multiply_subtract(F8::all(planes[octant_->near_row[axis]]),
+                                                   inverse, F8::load(&near_bias_[axis][half])));
                 far = min(far, multiply_subtract(F8::all(planes[octant_->far_row[axis]]), inverse,
                                                  F8::load(&far_bias_[axis][half])));
             }

@@ -24,8 +24,8 @@ template <bool any_will_do> struct Waiting {
         if constexpr (any_will_do) {
             top += append_unordered(children, met, &ref[top]);
         } else {
-            top += append(entered, children, met, node.order.data(), ray.octant->order_shift, &near[top],
-                          &ref[top]);
+            top += append(entered, children, met, node.order.data(), ray.octant->order_shift,
+                          &near[top], &ref[top]);
         }
     }
     /// Takes out the next that is worth a visit; false where there is none.
