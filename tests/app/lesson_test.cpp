@@ -36,6 +36,20 @@ TEST_CASE("app lessons: a step shows its scene, pixel, ray, look and pane") {
     CHECK(at.state.look().shapes == ShapeStyle::see_through);
 }
 
+TEST_CASE("app lessons: views are told of a step once, of all that it has changed") {
+    AtStep at("1");
+    std::vector<Changes> told;
+    at.state.observe([&](const Changes& changes) { told.push_back(changes); });
+    run_command(at.state, "lesson.step", "2");
+    REQUIRE(told.size() == 1);
+    CHECK(told.front().look);
+    CHECK(told.front().lesson);
+    CHECK(told.front().message);
+    CHECK((told.front().request || told.front().view_from));
+    run_command(at.state, "shapes.solid");  // and of the next thing at once
+    CHECK(told.size() == 2);
+}
+
 TEST_CASE("app lessons: next and back go on to the neighbouring lessons") {
     AtStep at("7");
     run_command(at.state, "lesson.next");

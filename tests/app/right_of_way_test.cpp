@@ -35,6 +35,21 @@ TEST_CASE("while the window draws, its picture stands still; then it is complete
     CHECK(render.done());
 }
 
+TEST_CASE("the picture waits for the window and for the drawing of its view") {
+    RightOfWay way(1h);
+    way.take(RightOfWay::drawing);
+    way.take(RightOfWay::window);
+    way.leave(RightOfWay::window);
+    PictureRender render(small_document(), nullptr, &way);
+    std::this_thread::sleep_for(50ms);
+    CHECK(render.version() == 0);
+    way.leave(RightOfWay::drawing);
+    while (!render.stopped()) {
+        std::this_thread::sleep_for(1ms);
+    }
+    CHECK(render.done());
+}
+
 TEST_CASE("beside a window that never rests, picture and overlay come all the same") {
     RightOfWay window(10ms);
     window.take();

@@ -57,11 +57,16 @@ Span3 bulk_of(const Seen& seen, double farthest) {
     return box;
 }
 
-/// Shapes that stand in the midst of what is seen count with all of their size.
+/// Shapes that stand in the midst of what is seen count with all of their size. Very many are small
+/// and close together: some of them tell as much.
 void add_shapes(const World<double>& world, Span3& seen) {
+    constexpr std::size_t most = 50'000;  // that are looked at
     const double size = seen.diagonal();
     const Span3 around = seen.grown(0.25 * size);
-    for (PrimitiveId id = 0; id < world.shapes.shapes().size(); ++id) {
+    const std::size_t count = world.shapes.shapes().size();
+    const std::size_t step = 1 + count / most;
+    for (std::size_t k = 0; k < count; k += step) {
+        const auto id = static_cast<PrimitiveId>(k);
         const Box bounds = world.shapes.shapes().bounds(id);
         const Span3 box{bounds.min, bounds.max};
         if (box.diagonal() <= 1.2 * size && around.contains(box.centre())) {

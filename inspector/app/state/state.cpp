@@ -6,6 +6,27 @@
 #include "state/start_pixel.h"
 
 namespace raytree::inspector {
+namespace {
+
+/// As one change, of which the last request counts.
+void add(Changes& all, const Changes& more) {
+    for (bool Changes::*const what :
+         {&Changes::document, &Changes::tree, &Changes::selection, &Changes::look,
+          &Changes::tree_pane, &Changes::table, &Changes::message, &Changes::values,
+          &Changes::coats, &Changes::playback, &Changes::side_pane, &Changes::lesson,
+          &Changes::explained}) {
+        all.*what = all.*what || more.*what;
+    }
+    if (more.view_from) {
+        all.view_from = more.view_from;
+    }
+    if (more.request) {
+        all.request = more.request;
+        all.text = more.text;
+    }
+}
+
+}  // namespace
 
 const TreeRay<double>* State::selected() const {
     return tree_ ? &tree_->tree.rays[selected_] : nullptr;
@@ -48,7 +69,7 @@ void State::show(const Opened& opened) {
           .side_pane = true});
 }
 
-void State::show_again() const {
+void State::show_again() {
     tell({.document = document_ != nullptr,
           .tree = true,
           .selection = true,
@@ -267,10 +288,14 @@ void State::show_side(SidePane pane) {
     }
 }
 
-void State::tell(const Changes& changes) const {
+void State::tell(const Changes& changes) {
     if (changes.document || changes.tree || changes.selection || changes.values ||
         changes.explained) {
         explainer_->ask({document_, tree_, pixel_, selected_, explained_});
+    }
+    if (gathered_) {
+        add(*gathered_, changes);
+        return;
     }
     for (const Observer& observer : observers_) {
         observer(changes);

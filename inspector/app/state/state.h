@@ -50,7 +50,7 @@ class State {
     /// become the message.
     void show(const Opened& opened);
     /// Tells the views all that is shown, for views that have come later.
-    void show_again() const;
+    void show_again();
     /// The open file, anew: what can stay as it is does, and what that cuts off the tree is shown
     /// as after a change.
     void renew(Opened opened);
@@ -198,7 +198,7 @@ class State {
     void say_whose();
     void install(Coming coming);
     void begin_playback();
-    void tell(const Changes& changes) const;
+    void tell(const Changes& changes);
 
     std::shared_ptr<const Document> document_;
     Pixel pixel_;
@@ -230,8 +230,9 @@ class State {
     std::unique_ptr<LessonRun> lesson_;
     LessonSide lesson_side_ = LessonSide::hidden;
     std::filesystem::path lesson_folder_;
-    bool staging_ = false;         ///< the views are being set as a step wants them
-    std::optional<double> tried_;  ///< instead of the step's own value
+    bool staging_ = false;             ///< the views are being set as a step wants them
+    std::optional<Changes> gathered_;  ///< then: what they are told of once all are set
+    std::optional<double> tried_;      ///< instead of the step's own value
     Explained explained_;
     std::unique_ptr<Explainer> explainer_ = std::make_unique<Explainer>();
     Beside beside_;

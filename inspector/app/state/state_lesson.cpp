@@ -1,5 +1,7 @@
 #include "state/state.h"
 
+#include <utility>
+
 namespace raytree::inspector {
 namespace {
 
@@ -106,6 +108,7 @@ void State::show_lesson_view() {
     }
     const lesson::Show& show = lesson_->here().show;
     staging_ = true;
+    gathered_.emplace();
     tried_.reset();
     try {
         stage(show);
@@ -113,7 +116,9 @@ void State::show_lesson_view() {
         message_ = error.what();
     }
     staging_ = false;
-    tell({.message = true, .lesson = true});
+    Changes all = *std::exchange(gathered_, std::nullopt);
+    all.message = all.lesson = true;
+    tell(all);
 }
 
 /// What is measured is what the step's text says of it.

@@ -26,10 +26,12 @@ void ScenePane::redraw() {
     begin_frame();
 }
 
-/// One frame is drawn at a time: the next one shows all that has changed meanwhile.
+/// One frame is drawn at a time: the next one shows all that has changed meanwhile. For a little
+/// more of the picture alone it need not come at once.
 void ScenePane::begin_frame() {
-    if (shown_ == asked_ && isVisible() && !changed_.isActive()) {
-        changed_.start(0);
+    constexpr int soon = 100;  // milliseconds
+    if (shown_ == asked_ && isVisible() && (stale_ || !changed_.isActive())) {
+        changed_.start(stale_ ? 0 : soon);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPalette>
+#include <QPointer>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -17,6 +18,7 @@ class Style : public QProxyStyle {
   public:
     explicit Style(const Palette& palette)
         : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))), palette_(palette) {}
+    void set_colours(const Palette& palette) { palette_ = palette; }
 
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
@@ -46,7 +48,7 @@ class Style : public QProxyStyle {
     }
 
   private:
-    const Palette& palette_;
+    Palette palette_;
 };
 
 QString css(Ink ink) { return qt(ink).name(); }
@@ -122,7 +124,13 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
 }  // namespace
 
 void apply_theme(const Palette& p) {
-    QApplication::setStyle(new Style(p));
+    // The same style stays: another one has every widget polished once more.
+    static QPointer<QProxyStyle> style;
+    if (style) {
+        static_cast<Style*>(style.data())->set_colours(p);
+    } else {
+        QApplication::setStyle(style = new Style(p));
+    }
     QPalette colours;
     colours.setColor(QPalette::Window, qt(p.window));
     colours.setColor(QPalette::WindowText, qt(p.text));
