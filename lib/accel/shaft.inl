@@ -266,7 +266,8 @@ class Lines {
         return met;
     }
 
-    /// Those whose lines may pass through a triangle: Woop's test, as for a leaf (filter_lines).
+    /// Those whose lines may pass through a triangle: Woop's test, as for a leaf
+    /// (filter_triangles).
     unsigned pass_triangle(const LeafShapes& shapes, std::size_t lane) const {
         if (!one_frame_) {
             return (1U << most) - 1;

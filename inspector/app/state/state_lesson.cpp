@@ -114,6 +114,10 @@ void State::show_lesson_view() {
         stage(show);
     } catch (const InputError& error) {
         message_ = error.what();
+    } catch (...) {  // or no view would be told of anything any more
+        staging_ = false;
+        gathered_.reset();
+        throw;
     }
     staging_ = false;
     Changes all = *std::exchange(gathered_, std::nullopt);

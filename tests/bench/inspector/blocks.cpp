@@ -145,5 +145,6 @@ void run(std::vector<std::string> files, int argc, char** argv) {
 }  // namespace raytree::inspector::bench
 
 int main(int argc, char** argv) {
-    raytree::inspector::bench::run({argv + 1, argv + argc}, argc, argv);
+    using namespace raytree::inspector::bench;
+    return exit_code_of([&] { run({argv + 1, argv + argc}, argc, argv); });
 }

@@ -97,10 +97,11 @@ void run(const char* file, int width, int height, int argc, char** argv, const S
 }  // namespace raytree::inspector::bench
 
 int main(int argc, char** argv) {
-    const raytree::inspector::bench::Stopwatch start;
+    using namespace raytree::inspector::bench;
+    const Stopwatch start;
     const char* const file = argc > 1 ? argv[1] : RAYTREE_DATA_DIR "/scenes/sphereflake.json";
     const bool size = argc > 3;
-    raytree::inspector::bench::run(file, size ? atoi(argv[2]) : 1280, size ? atoi(argv[3]) : 800,
-                                   argc, argv, start);
-    return 0;
+    return exit_code_of([&] {
+        run(file, size ? atoi(argv[2]) : 1280, size ? atoi(argv[3]) : 800, argc, argv, start);
+    });
 }

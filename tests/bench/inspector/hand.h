@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/input_error.h"
 #include "window/main_window.h"
 #include "window/run.h"
 #include "window/scene_pane.h"
@@ -143,6 +144,17 @@ inline void process_for(int milliseconds) {
 inline void wait_for_picture(const State& state, const MainWindow& window) {
     process_while([&] { return state.working() || !window.feed().done(); });
     QApplication::processEvents();
+}
+
+/// What a program returns: 2 after an argument that it can do nothing with, of which it says why.
+template <class Run> int exit_code_of(Run run) {
+    try {
+        run();
+        return 0;
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    }
 }
 
 }  // namespace raytree::inspector::bench

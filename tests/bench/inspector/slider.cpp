@@ -98,6 +98,6 @@ void run(std::vector<std::string> lessons, bool quick, int argc, char** argv) {
 int main(int argc, char** argv) {
     std::vector<std::string> lessons(argv + 1, argv + argc);
     const bool quick = std::erase(lessons, "--quick") > 0;
-    raytree::inspector::bench::run(lessons, quick, argc, argv);
-    return 0;
+    using namespace raytree::inspector::bench;
+    return exit_code_of([&] { run(lessons, quick, argc, argv); });
 }
