@@ -8,6 +8,7 @@
 #include <QTextBrowser>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "lesson/lesson_folder.h"
 #include "window/lesson_html.h"
@@ -31,7 +32,7 @@ QLabel* rich_label(const char* name) {
 
 LessonPane::LessonPane(State& state, QuestionBox::Run run, QWidget* parent)
     : QStackedWidget(parent), state_(state), run_(std::move(run)) {
-    setMinimumWidth(250);
+    setMinimumWidth(36 * fontMetrics().averageCharWidth());
     list_ = new QTextBrowser;
     list_->setOpenLinks(false);
     list_->setFrameShape(QFrame::NoFrame);
@@ -67,18 +68,41 @@ QLayout* LessonPane::make_head() {
     return rows;
 }
 
-QLayout* LessonPane::make_foot() {
-    auto* const row = new QHBoxLayout;
+QWidget* LessonPane::make_foot() {
+    foot_ = new QWidget;
+    foot_->setObjectName(QStringLiteral("lesson"));
+    auto* const row = new QHBoxLayout(foot_);
     row->setContentsMargins(12, 6, 12, 8);
-    back_ = add_button(row, QStringLiteral("◂ Back"), "lesson.back");
-    auto* const view = add_button(row, QStringLiteral("Lesson's view"), "lesson.view");
-    view->setObjectName(QStringLiteral("quiet"));
-    view->setToolTip(QStringLiteral("Back to what the step shows  (F6)"));
+    back_ = add_button(row, {}, "lesson.back");
+    back_->setAccessibleName(QStringLiteral("Back"));
+    back_->setToolTip(QStringLiteral("To the step before  (F7)"));
+    view_ = add_button(row, {}, "lesson.view");
+    view_->setObjectName(QStringLiteral("quiet"));
+    view_->setToolTip(QStringLiteral("Back to what the step shows  (F6)"));
     row->insertStretch(1, 1);
     row->addStretch(1);
     next_ = add_button(row, {}, "lesson.next");
     next_->setObjectName(QStringLiteral("onwards"));
-    return row;
+    return foot_;
+}
+
+/// As many words as there is room for; those of the way onwards always.
+void LessonPane::fit_foot() {
+    constexpr std::pair<const char*, const char*> words[] = {
+        {"◂ Back", "Lesson's view"}, {"◂", "Lesson's view"}, {"◂", "View"}};
+    for (const auto& [back, view] : words) {
+        back_->setText(QString::fromUtf8(back));
+        view_->setText(QString::fromUtf8(view));
+        foot_->layout()->invalidate();
+        if (foot_->layout()->minimumSize().width() <= width()) {
+            break;
+        }
+    }
+}
+
+void LessonPane::resizeEvent(QResizeEvent* event) {
+    QStackedWidget::resizeEvent(event);
+    fit_foot();
 }
 
 QWidget* LessonPane::make_page() {
@@ -107,7 +131,7 @@ QWidget* LessonPane::make_page() {
     scroll_->setWidgetResizable(true);
     scroll_->setWidget(content);
     rows->addWidget(scroll_, 1);
-    rows->addLayout(make_foot());
+    rows->addWidget(make_foot());
     return page;
 }
 
@@ -159,6 +183,7 @@ void LessonPane::show_step() {
                              .arg(qt(page.failure).toHtmlEscaped()));
     const bool last = step_ + 1 == run->count();
     next_->setText(last ? QStringLiteral("Next lesson ▸") : QStringLiteral("Next ▸"));
+    fit_foot();
     bar_->update();
     const bool answered = run->answer() != nullptr;
     if (turned) {

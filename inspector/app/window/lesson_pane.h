@@ -20,14 +20,18 @@ class LessonPane : public QStackedWidget {
 
     QSize sizeHint() const override { return {330, 600}; }
 
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QWidget* make_page();
     QLayout* make_head();
-    QLayout* make_foot();
+    QWidget* make_foot();
     QPushButton* add_button(QLayout* row, const QString& text, const std::string& command);
     void obey(const Changes& changes);
     void show_list();
     void show_step();
+    void fit_foot();
     void scroll_to_verdict();
     bool shows_step() const;
 
@@ -38,7 +42,8 @@ class LessonPane : public QStackedWidget {
     QLabel *lesson_ = nullptr, *place_ = nullptr, *title_ = nullptr, *text_ = nullptr;
     StepBar* bar_ = nullptr;
     QuestionBox* question_ = nullptr;
-    QPushButton *back_ = nullptr, *next_ = nullptr;
+    QWidget* foot_ = nullptr;
+    QPushButton *back_ = nullptr, *view_ = nullptr, *next_ = nullptr;
     const LessonRun* shown_ = nullptr;  ///< of whose step the pane was built
     std::size_t step_ = 0;
     bool answered_ = false;  ///< whether its question has been
