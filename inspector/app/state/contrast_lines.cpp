@@ -74,9 +74,10 @@ std::vector<check::FieldDifference> differences_of(const PixelTree& shown, const
     return found;
 }
 
-std::string absent_text(const PixelTree& shown, std::size_t ray, RayMark mark) {
+std::string absent_text(const PixelTree& shown, const Contrast& contrast, std::size_t ray,
+                        RayMark mark) {
     const TreeRay<double>& one = shown.tree.rays[ray];
-    return number_of(shown, ray) + " " + std::string(word_of(one.kind)) + " ray" +
+    return number_of(shown, contrast, ray) + " " + std::string(word_of(one.kind)) + " ray" +
            (one.shadow ? " to " + one.shadow->light : "") + " is " +
            std::string(text_of(mark).word);
 }
@@ -155,8 +156,8 @@ void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
         RayMark& mark = contrast.marks[ray.id];
         if (mark != RayMark::same) {
             const bool first = !ray.parent || contrast.marks[*ray.parent] != mark;
-            contrast.lines.push_back(
-                {ray.id, first ? mark : RayMark::follows, absent_text(shown, ray.id, mark)});
+            contrast.lines.push_back({ray.id, first ? mark : RayMark::follows,
+                                      absent_text(shown, contrast, ray.id, mark)});
             continue;
         }
         auto found = differences_of(shown, contrast, ray.id);
@@ -175,8 +176,8 @@ void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
         const auto first =
             std::ranges::find_if(found, [](const auto& one) { return !is_passed_on(one.field); });
         const auto& told = first == found.end() ? found.front() : *first;
-        std::string text = number_of(shown, ray.id) + " " + std::string(word_of(ray.kind)) +
-                           " ray: " + side_by_side(told, contrast);
+        std::string text = number_of(shown, contrast, ray.id) + " " +
+                           std::string(word_of(ray.kind)) + " ray: " + side_by_side(told, contrast);
         if (found.size() > 1) {
             text += ", and " + std::to_string(found.size() - 1) + " more";
         }

@@ -24,10 +24,12 @@ RayTree<double> own_tree(const PixelTree& tree) {
 }
 
 std::string number_of(const PixelTree& tree, std::size_t ray) {
-    if (tree.is_own(ray) || !tree.contrast) {
-        return "#" + std::to_string(ray);
-    }
-    return "(#" + std::to_string(tree.contrast->counterparts[ray].value_or(ray)) + ")";
+    return tree.contrast ? number_of(tree, *tree.contrast, ray) : "#" + std::to_string(ray);
+}
+
+std::string number_of(const PixelTree& tree, const Contrast& contrast, std::size_t ray) {
+    return tree.is_own(ray) ? "#" + std::to_string(ray)
+                            : "(#" + std::to_string(contrast.counterparts[ray].value_or(ray)) + ")";
 }
 
 std::string mark_text(RayMark mark) {

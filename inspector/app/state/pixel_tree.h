@@ -81,6 +81,8 @@ RayTree<double> own_tree(const PixelTree& tree);
 
 /// "#3"; of a ray that only the other tree has, its number there: "(#3)".
 std::string number_of(const PixelTree& tree, std::size_t ray);
+/// The same while the contrast is still being made.
+std::string number_of(const PixelTree& tree, const Contrast& contrast, std::size_t ray);
 
 /// "≠ differs"; empty where there is nothing to say.
 std::string mark_text(RayMark mark);

@@ -1,5 +1,6 @@
 #include "window/compare_pane.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -25,7 +26,8 @@ QLabel* words() {
 
 }  // namespace
 
-ComparePane::ComparePane(State& state, QWidget* parent) : QWidget(parent), state_(state) {
+ComparePane::ComparePane(State& state, std::function<void(const std::string&)> run, QWidget* parent)
+    : QWidget(parent), state_(state), run_(std::move(run)) {
     names_ = words();
     summary_ = words();
     remarks_ = words();
@@ -43,10 +45,13 @@ ComparePane::ComparePane(State& state, QWidget* parent) : QWidget(parent), state
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(names_);
     layout->addWidget(summary_);
-    layout->addWidget(make_buttons());
+    layout->addWidget(ways_ = make_ways());
+    layout->addWidget(buttons_ = make_buttons());
     layout->addWidget(lines_, 1);
     layout->addWidget(remarks_);
     layout->addWidget(legend_);
+    layout->addStretch(0);
+    lines_->viewport()->installEventFilter(this);
     connect(lines_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item && !following_) {
             state_.select(item->data(0, Qt::UserRole).toULongLong());
@@ -56,19 +61,37 @@ ComparePane::ComparePane(State& state, QWidget* parent) : QWidget(parent), state
     show_lines();
 }
 
+QPushButton* ComparePane::make_button(const std::string& command, const QString& title) {
+    const Command& one = *find_command(command);
+    auto* const button = new QPushButton(title);
+    QString hint = qt(one.help);
+    if (!one.keys.empty()) {
+        hint += QStringLiteral("  (%1)").arg(qt(one.keys));
+    }
+    button->setToolTip(hint);
+    connect(button, &QPushButton::clicked, this, [this, command] { run_(command); });
+    commands_.emplace_back(button, command);
+    return button;
+}
+
+/// To begin with: what a tree can be compared with.
+QWidget* ComparePane::make_ways() {
+    auto* const box = new QWidget;
+    auto* const layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 6, 0, 0);
+    for (const char* const command : {"compare.this_pixel", "compare.before", "compare.file"}) {
+        layout->addWidget(make_button(command, qt(find_command(command)->title)));
+    }
+    return box;
+}
+
 QWidget* ComparePane::make_buttons() {
     auto* const box = new QWidget;
     auto* const layout = new QHBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
-    swap_ = new QPushButton(QStringLiteral("Show the other"));
-    end_ = new QPushButton(QStringLiteral("End"));
-    swap_->setToolTip(qt(find_command("compare.swap")->help));
-    end_->setToolTip(qt(find_command("compare.end")->help));
-    layout->addWidget(swap_);
-    layout->addWidget(end_);
+    layout->addWidget(make_button("compare.swap", QStringLiteral("Show the other")));
+    layout->addWidget(make_button("compare.end", QStringLiteral("End")));
     layout->addStretch(1);
-    connect(swap_, &QPushButton::clicked, this, [this] { run_command(state_, "compare.swap"); });
-    connect(end_, &QPushButton::clicked, this, [this] { run_command(state_, "compare.end"); });
     return box;
 }
 
@@ -81,6 +104,26 @@ void ComparePane::obey(const Changes& changes) {
     if (changes.selection && !changes.tree) {
         show_selection();
     }
+    for (const auto& [button, command] : commands_) {
+        button->setEnabled(find_command(command)->possible(state_));
+    }
+}
+
+bool ComparePane::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        fit_rows();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ComparePane::show_nothing() {
+    names_->setText(state_.comparing()
+                        ? QStringLiteral("This pixel is not compared.")
+                        : QStringLiteral("Nothing is compared. Choose what this tree is to be "
+                                         "compared with:"));
+    summary_->clear();
+    remarks_->clear();
+    legend_->clear();
 }
 
 void ComparePane::show_lines() {
@@ -88,17 +131,14 @@ void ComparePane::show_lines() {
     lines_->clear();
     const auto& tree = state_.tree();
     const Contrast* const contrast = tree && state_.comparing() ? tree->contrast.get() : nullptr;
-    swap_->setEnabled(contrast);
-    end_->setEnabled(state_.comparing());
-    lines_->setEnabled(contrast);
+    ways_->setVisible(!state_.comparing());
+    buttons_->setVisible(state_.comparing());
+    for (QWidget* const widget :
+         std::initializer_list<QWidget*>{lines_, summary_, remarks_, legend_}) {
+        widget->setVisible(contrast);
+    }
     if (!contrast) {
-        names_->setText(state_.comparing() ? QStringLiteral("This pixel is not compared.")
-                                           : QStringLiteral("Nothing is compared."));
-        summary_->setText(QStringLiteral(
-            "Compare with a recorded tree (Ctrl+D), keep this pixel's tree and choose others (A), "
-            "or change the scene and compare with before (Shift+E)."));
-        remarks_->clear();
-        legend_->clear();
+        show_nothing();
         following_ = false;
         return;
     }
@@ -123,6 +163,7 @@ void ComparePane::show_lines() {
         remarks += (remarks.isEmpty() ? QString() : QStringLiteral("\n")) + qt(remark);
     }
     remarks_->setText(remarks);
+    remarks_->setVisible(!remarks.isEmpty());
     legend_->setText(
         QStringLiteral("≠ differs, and here is why   ~ follows from another   − missing: only in "
                        "the reference   + extra: not in it"));
@@ -133,7 +174,8 @@ void ComparePane::show_lines() {
 
 /// Each line is as high as its words need.
 void ComparePane::fit_rows() {
-    const int width = lines_->viewport()->width() - lines_->columnWidth(0) - 12;
+    constexpr int margins = 8;  // of a cell
+    const int width = lines_->viewport()->width() - lines_->columnWidth(0) - margins;
     for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
         QTreeWidgetItem* const item = lines_->topLevelItem(k);
         const QRect room(0, 0, std::max(width, 60), 10'000);

@@ -49,7 +49,8 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state), theme_(state
     add_tree_dock();
     add_lesson_dock();
     side_ = new SideDock(
-        state_, [this](const InputError& error) { report(error); }, this);
+        state_, [this](const std::string& command) { actions_->run(*find_command(command), {}); },
+        [this](const InputError& error) { report(error); }, this);
     addDockWidget(Qt::RightDockWidgetArea, side_);
 
     pixel_ = new QLabel;

@@ -12,14 +12,15 @@
 
 namespace raytree::inspector {
 
-SideDock::SideDock(State& state, std::function<void(const InputError&)> fail, QWidget* parent)
+SideDock::SideDock(State& state, std::function<void(const std::string&)> run,
+                   std::function<void(const InputError&)> fail, QWidget* parent)
     : QDockWidget(parent), state_(state) {
     setObjectName(QStringLiteral("side"));
     setWindowTitle(QStringLiteral("Steps, changes, differences"));
     setFeatures(QDockWidget::NoDockWidgetFeatures);
     steps_ = new StepsPane(state_);
     change_ = new ChangePane(state_, std::move(fail));
-    compare_ = new ComparePane(state_);
+    compare_ = new ComparePane(state_, std::move(run));
     panes_ = new QStackedWidget;
     panes_->addWidget(steps_);
     panes_->addWidget(change_);

@@ -17,7 +17,8 @@ class StepsPane;
 /// What stands beside the 3D view when it is asked for: steps, changes, differences.
 class SideDock : public QDockWidget {
   public:
-    SideDock(State& state, std::function<void(const InputError&)> fail, QWidget* parent);
+    SideDock(State& state, std::function<void(const std::string& command)> run,
+             std::function<void(const InputError&)> fail, QWidget* parent);
 
     StepsPane& steps() const { return *steps_; }
     ChangePane& change() const { return *change_; }
