@@ -1,6 +1,8 @@
 #include "window/explained_pane.h"
 
+#include <QRegularExpression>
 #include <QScrollBar>
+#include <algorithm>
 #include <cmath>
 
 #include "state/commands.h"
@@ -11,18 +13,38 @@
 namespace raytree::inspector {
 namespace {
 
+/// "1,599", "–" or "6.955 µs".
+bool is_number(const std::string& cell) {
+    static const QRegularExpression number(
+        QStringLiteral("^([-−+]?[0-9][0-9.,]*(e[-+]?[0-9]+)?( [mµ]s)?|–|exact)$"));
+    return number.match(qt(cell)).hasMatch();
+}
+
+/// Numbers below each other end below each other.
+bool is_column_of_numbers(const ExplainedSection& section, std::size_t column) {
+    return std::ranges::all_of(section.rows, [&](const ExplainedSection::Row& row) {
+        return column >= row.cells.size() || row.cells[column].empty() ||
+               is_number(row.cells[column]);
+    });
+}
+
 QString table_of(const ExplainedSection& section, const Palette& palette) {
+    if (section.rows.empty()) {
+        return {};
+    }
     const QString dim = qt(palette.dim_text).name();
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
     const auto row = [&](const std::vector<std::string>& cells, const QString& style,
                          const char* anchor = "") {
         html += QStringLiteral("<tr>");
-        for (const std::string& cell : cells) {
+        for (std::size_t k = 0; k < cells.size(); ++k) {
             constexpr std::size_t long_words = 34;
-            html += QStringLiteral("<td style='padding-right:16px; %1%2'>%3</td>")
-                        .arg(cell.size() > long_words ? QString()
-                                                      : QStringLiteral("white-space:nowrap; "),
-                             style, QLatin1String(anchor) + qt(cell).toHtmlEscaped());
+            html += QStringLiteral("<td align='%1' style='padding-right:16px; %2%3'>%4</td>")
+                        .arg(is_column_of_numbers(section, k) ? QStringLiteral("right")
+                                                              : QStringLiteral("left"),
+                             cells[k].size() > long_words ? QString()
+                                                          : QStringLiteral("white-space:nowrap; "),
+                             style, QLatin1String(anchor) + qt(cells[k]).toHtmlEscaped());
             anchor = "";
         }
         html += QStringLiteral("</tr>");
@@ -46,12 +68,35 @@ QString html_of(const ExplainedSection& section, const Palette& palette) {
                        .arg(qt(palette.accent).name(), qt(section.title).toHtmlEscaped());
     for (const ExplainedSection::Link& link : section.links) {
         html += QStringLiteral("&nbsp;&nbsp; <a href='%1' style='color:%2'>%3</a>")
-                    .arg(qt(link.command), qt(palette.accent).name(), qt(link.words));
+                    .arg(qt(link.command), qt(palette.accent).name(),
+                         qt(link.words).replace(QLatin1Char(' '), QStringLiteral("&nbsp;")));
     }
     html += QStringLiteral("</p>") + table_of(section, palette);
     for (const std::string& sentence : section.sentences) {
         html += QStringLiteral("<p style='margin:3px 0 3px 0; color:%1'>%2</p>")
                     .arg(qt(palette.dim_text).name(), qt(sentence).toHtmlEscaped());
+    }
+    return html;
+}
+
+/// What can be explained, to be clicked.
+QString all_html(const State& state, const Palette& palette) {
+    const QString dim = qt(palette.dim_text).name(), accent = qt(palette.accent).name();
+    QString html = QStringLiteral(
+                       "<p style='margin:0 0 6px 0; color:%1'>Choose what is to be "
+                       "explained; the menu <b>Explain</b> has the same.</p>")
+                       .arg(dim);
+    for (const Command& command : commands()) {
+        if (command.menu != "Explain" || !command.on) {
+            continue;
+        }
+        const bool possible = !command.possible || command.possible(state);
+        const QString title = qt(command.title).toHtmlEscaped();
+        const QString link = possible ? QStringLiteral("<a href='%1' style='color:%2'>%3</a>")
+                                            .arg(qt(command.id), accent, title)
+                                      : title;
+        html += QStringLiteral("<p style='margin:0 0 3px 0; color:%1'>%2 – %3</p>")
+                    .arg(dim, link, qt(command.help).toHtmlEscaped());
     }
     return html;
 }
@@ -82,12 +127,7 @@ void ExplainedPane::renew() {
     const Palette& palette = palette_of(state_.look().theme);
     const auto sections = explained_text(state_);
     if (sections.empty()) {
-        setHtml(
-            QStringLiteral("<p style='color:%1'>The menu <b>Explain</b> shows here the lecture's "
-                           "ways of explaining what a ray does: rays sent from a light, the way "
-                           "through a hierarchy, shadow volumes, a light's depth picture, the "
-                           "z-buffer.</p>")
-                .arg(qt(palette.dim_text).name()));
+        setHtml(all_html(state_, palette));
         return;
     }
     // Beside each other where there is room, else below each other; pictures take what is left.
