@@ -128,7 +128,7 @@ class WindowSeeingTest : public test::ShownWindow {
 
     void a_selected_object_is_drawn_and_listed_in_its_colour() {
         const Ink ink = palette_of(Theme::light).selection;
-        state_.select(1);  // a short halo
+        run_command(state_, "light.next");  // a small ring
         const int before = pixels_of(ink);
         run_command(state_, "object.select", "ball");
         QVERIFY2(pixels_of(ink) > before + 100, std::to_string(pixels_of(ink)).c_str());

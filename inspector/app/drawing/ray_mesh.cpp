@@ -36,7 +36,7 @@ class Builder {
             } else {
                 add_lines(path, alpha);
             }
-            if (path.ray == in_.selected) {
+            if (path.ray == in_.selected && in_.halo) {
                 add_halo(path);
             }
         }
@@ -55,7 +55,8 @@ class Builder {
     }
 
     std::uint8_t alpha_of(const RayPath& path) const {
-        if (!belongs(path.ray)) {
+        const bool marked = path.ray == in_.selected && in_.halo;
+        if (!marked && !belongs(path.ray)) {
             return set_aside;
         }
         return path.graft && path.ray != in_.selected ? of_another : 255;

@@ -28,6 +28,7 @@ struct RayMeshInput {
     /// Of each ray of the tree, whether it is faded; empty: those that do not belong to the
     /// selected one are.
     const std::vector<bool>& set_aside = {};
+    bool halo = true;  ///< whether the selected ray is marked: not where a thing is selected
 };
 RayMeshes ray_meshes(const RayMeshInput& input);
 

@@ -17,6 +17,33 @@ constexpr double near = 0.95;  // of the diagonal: what is farther off may lie o
 /// The legend's strip, unless it would leave too little of the view.
 int strip_of(const View& view) { return std::min(view.foot, view.height / 4); }
 
+// What is seen whole is no larger, of the diagonal; what is not flat, as floors are, may be.
+constexpr double largest = 0.6, largest_thick = 1.6;
+
+bool is_thick(const Span3& box) {
+    const Point3 size = box.high - box.low;
+    return std::min({size.x, size.y, size.z}) > 0.2 * std::max({size.x, size.y, size.z});
+}
+
+void add_corners(std::vector<Point3>& points, const Span3& box) {
+    const auto corners = box.corners();
+    points.insert(points.end(), corners.begin(), corners.end());
+}
+
+/// Things that stand in the midst of what is seen are seen whole; floors and walls are larger. Very
+/// many are small and close together: some of them tell as much.
+void add_shapes_seen(std::vector<Point3>& points, const Document& document, const Extent& extent) {
+    constexpr std::size_t most = 20'000;  // that are looked at
+    const auto& shapes = document.world().shapes.shapes();
+    for (std::size_t k = 0; k < shapes.size(); k += 1 + shapes.size() / most) {
+        const Box bounds = shapes.bounds(static_cast<PrimitiveId>(k));
+        const Span3 box{bounds.min, bounds.max};
+        if (box.diagonal() < largest * extent.diagonal && extent.seen.contains(box.centre())) {
+            add_corners(points, box);
+        }
+    }
+}
+
 /// Shapes at which rays end, where they are not larger than what is seen. Of very many shapes none
 /// is as large as that it would matter.
 void add_shapes_met(std::vector<Point3>& points, const Document& document, const Extent& extent,
@@ -30,13 +57,12 @@ void add_shapes_met(std::vector<Point3>& points, const Document& document, const
         const Box bounds = shapes.bounds(id);
         const Span3 box{bounds.min, bounds.max};
         const Span3 around = box.grown(1e-3 * extent.diagonal);
-        if (box.diagonal() < 0.6 * extent.diagonal &&
+        if (box.diagonal() < (is_thick(box) ? largest_thick : largest) * extent.diagonal &&
             glm::length(box.centre() - extent.seen.centre()) < near * extent.diagonal &&
             std::ranges::any_of(paths, [&](const RayPath& path) {
                 return path.end == RayPath::End::hit && around.contains(path.to);
             })) {
-            const auto corners = box.corners();
-            points.insert(points.end(), corners.begin(), corners.end());
+            add_corners(points, box);
         }
     }
 }
@@ -49,6 +75,7 @@ std::vector<Point3> side_points(const Document& document, const Extent& extent,
     std::erase_if(
         points, [&](const Point3& p) { return glm::length(p - middle) > near * extent.diagonal; });
     add_shapes_met(points, document, extent, paths);
+    add_shapes_seen(points, document, extent);
     for (const Point3& corner : picture_corners(document, extent.plane_distance)) {
         points.push_back(corner);
     }

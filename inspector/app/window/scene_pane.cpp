@@ -102,18 +102,25 @@ std::optional<View> ScenePane::asked_view(Request request) const {
         case Request::through_camera:
             return camera_view(document, extent_, now);
         case Request::from_side:
-            return side_view(document, extent_, paths_, now);
+            return side_view(document, extent_, whole_tree(), now);
         case Request::onto_hit:
             return state_.tree() && state_.selected()->hit
                        ? std::optional(hit_view(document, *state_.selected(), extent_, now))
                        : std::nullopt;
         case Request::fit_tree:
-            return fitted_above_legend(now, points_of(paths_, extent_));
+            return fitted_above_legend(now, points_of(whole_tree(), extent_));
         case Request::fit_selection:
             return fitted_above_legend(now, selected_points(), 0.3);
         default:
             return std::nullopt;
     }
+}
+
+/// Its rays, those that are still to be sent too: the view stays while one steps through them.
+std::vector<RayPath> ScenePane::whole_tree() const {
+    return state_.tree() && state_.playback()
+               ? ray_paths(*state_.tree(), extent_, state_.look().filter)
+               : paths_;
 }
 
 std::vector<Point3> ScenePane::selected_points() const {

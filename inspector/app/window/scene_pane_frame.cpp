@@ -164,7 +164,8 @@ SceneThings ScenePane::things(const View& view, const SceneMesh& shapes) const {
     if (state_.tree()) {
         const PixelTree& tree = *state_.tree();
         const std::size_t ray = state_.selected()->id;
-        things.rays = ray_meshes({paths_, tree, ray, extent_, view, palette, set_aside(state_)});
+        things.rays = ray_meshes(
+            {paths_, tree, ray, extent_, view, palette, set_aside(state_), !state_.thing()});
         if (can_derive(tree, ray, state_.playback())) {
             things.angles = angle_drawing({*state_.document(), tree, ray, extent_, view, palette,
                                            state_.look().angles, state_.look().ghosts,
