@@ -219,7 +219,7 @@ void ChangePane::add_row(QFormLayout* form, const Knob& knob) {
     row.slider->setRange(whole ? static_cast<int>(knob.least) : 0,
                          whole ? static_cast<int>(knob.most) : slider_steps);
     row.slider->setPageStep(whole ? 1 : slider_steps / 20);
-    row.field->setMinimumWidth(
+    row.field->setFixedWidth(  // all else is the slider's
         row.field->fontMetrics().horizontalAdvance(QStringLiteral("0.00, 0.00, 0.00")) + 14);
     row.slider->setMinimumWidth(7 * fontMetrics().averageCharWidth());
     layout->addWidget(row.slider, 1);

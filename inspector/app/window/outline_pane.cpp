@@ -247,7 +247,11 @@ int OutlinePane::width_for(Column column) const {
 int OutlinePane::width_for_rays() const {
     QFont widest = font();
     widest.setBold(state_.thing() || (state_.tree() && state_.tree()->contrast));
-    const int levels = state_.tree() ? state_.tree()->tree.settings.max_depth + 1 : 1;
+    int levels = 1;
+    if (const auto& tree = state_.tree()) {
+        levels += std::max(tree->tree.counts.levels,
+                           tree->contrast ? tree->contrast->other.counts.levels : 0);
+    }
     const int indented = std::min(levels * (brief_ ? least_indented : most_indented), all_indented);
     return indented + iconSize().width() + 4 + around_text +
            QFontMetrics(widest).horizontalAdvance(model_->widest_ray());

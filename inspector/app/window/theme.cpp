@@ -72,7 +72,7 @@ QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @checked; border-color: @rule; }
 QToolButton:disabled { color: @faint; }
 QMenuBar { background: @window; color: @text; }
-QMenuBar::item { background: transparent; padding: 4px 9px; border-radius: 4px; }
+QMenuBar::item { background: transparent; padding: 4px 7px; border-radius: 4px; }
 QMenuBar::item:selected { background: @checked; }
 QStatusBar { background: @window; color: @text; border-top: 1px solid @rule; }
 QStatusBar::item { border: none; }
