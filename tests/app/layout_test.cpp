@@ -8,9 +8,12 @@
 #include <QToolBar>
 #include <QTreeWidget>
 
+#include "app/cut_words.h"
 #include "app/scenes.h"
 #include "app/shown_window.h"
+#include "lesson/lesson_folder.h"
 #include "state/commands.h"
+#include "state/start_pixel.h"
 #include "window/details_pane.h"
 #include "window/outline_pane.h"
 #include "window/side_dock.h"
@@ -56,6 +59,24 @@ class LayoutTest : public test::ShownWindow {
         for (const Column column : {Column::ray, Column::t, Column::intensity, Column::ended}) {
             check_column(column);
         }
+    }
+
+    void check_words(const char* where) {
+        QTest::qWait(50);
+        const QStringList cut = test::cut_words(*window_);
+        QVERIFY2(cut.isEmpty(), qPrintable(QLatin1String(where) + QStringLiteral("\n") +
+                                           cut.join(QLatin1Char('\n'))));
+    }
+
+    /// Of before and after a change that cuts rays away: each difference is written out.
+    void check_comparison() {
+        run_command(state_, "change.set", "/settings/max_depth 2");
+        QTRY_VERIFY(state_.tree() && !state_.working());
+        run_command(state_, "compare.before");
+        QTRY_VERIFY(state_.tree() && state_.tree()->contrast);
+        check_words("a comparison");
+        run_command(state_, "compare.end");
+        run_command(state_, "change.reset");
     }
 
   private Q_SLOTS:
@@ -171,6 +192,60 @@ class LayoutTest : public test::ShownWindow {
         }
         QVERIFY(swatches > 0);
         QVERIFY(words > 5);
+    }
+
+    void no_word_is_cut_in_any_pane_data() {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<bool>("dark");
+        QTest::addColumn<QSize>("size");
+        for (const char* const scene : {"glass-ball", "hall-of-mirrors", "cut-open"}) {
+            for (const bool dark : {false, true}) {
+                for (const QSize size : {QSize(1280, 800), QSize(1920, 1040)}) {
+                    QTest::addRow("%s, %s, %d", scene, dark ? "dark" : "light", size.width())
+                        << QString::fromLatin1(scene) << dark << size;
+                }
+            }
+        }
+    }
+
+    void no_word_is_cut_in_any_pane() {
+        if (!has_usual_font()) {
+            QSKIP("with a larger font panes may scroll");
+        }
+        QFETCH(QString, scene);
+        QFETCH(bool, dark);
+        QFETCH(QSize, size);
+        const std::string file = RAYTREE_SCENES + scene.toStdString() + ".json";
+        Opened opened = open_file(file);
+        opened.pixel = start_pixel(*opened.document);
+        state_.show(opened);
+        QTRY_VERIFY(state_.tree());
+        state_.change_look([&](Look& look) { look.theme = dark ? Theme::dark : Theme::light; });
+        window_->resize(size);
+        for (const char* const tab :
+             {"tab.diagram", "tab.counts", "tab.filter", "tab.explained", "tab.outline"}) {
+            run_command(state_, tab);
+            check_words(tab);
+        }
+        for (const SidePane pane : {SidePane::change, SidePane::compare, SidePane::steps}) {
+            state_.show_side(pane);
+            check_words("a pane at the side");
+        }
+        check_comparison();
+    }
+
+    void no_word_of_a_lesson_is_cut() {
+        if (!has_usual_font()) {
+            QSKIP("with a larger font panes may scroll");
+        }
+        window_->resize(1280, 800);
+        state_.set_lesson_folder(RAYTREE_LESSONS);
+        for (const std::string& name : lesson::lesson_names(RAYTREE_LESSONS)) {
+            run_command(state_, "lesson.open", name);
+            run_command(state_, "lesson.last");
+            check_words(name.c_str());
+        }
+        run_command(state_, "lesson.close");
     }
 
     void panes_stay_where_they_are_when_the_theme_changes() {
