@@ -144,6 +144,36 @@ TEST_CASE("app: lights and objects are found where they are drawn") {
                                  glm::normalize(p - view.eye))) < 1e-12);
 }
 
+bool is_inside(const View& view, const Box& box) {
+    for (int k = 0; k < 8; ++k) {
+        const Point3 corner{k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y,
+                            k & 4 ? box.max.z : box.min.z};
+        const auto at = project(view, corner);
+        if (!at || at->x < 0 || at->x > view.width || at->y < 0 || at->y > view.height) {
+            return false;
+        }
+    }
+    return true;
+}
+
+TEST_CASE("app: the first view shows what stands in the midst of the scene whole") {
+    View view;
+    view.width = 640;
+    view.height = 410;
+    const auto document = test::document_of(test::glass_ball_scene());
+    view = side_view(*document, extent_of(*document), {}, view);
+    CHECK(is_inside(view, document->world().shapes.shapes().bounds(0)));
+}
+
+TEST_CASE("app: what the near plane cuts away is not taken for what the camera sees") {
+    Scene scene = test::glass_ball_scene();
+    const double cut = length(scene.camera.look_at - scene.camera.eye);
+    scene.camera.near = cut;  // the front half of the ball is gone
+    const Extent whole = extent_of(*test::document_of(test::glass_ball_scene()));
+    const Extent behind = extent_of(*test::document_of(scene));
+    CHECK(behind.plane_distance > whole.plane_distance);
+}
+
 TEST_CASE("app: a thing fills the view that is fitted to it") {
     const auto document = test::document_of(test::glass_ball_scene());
     const Extent extent = extent_of(*document);

@@ -25,7 +25,8 @@ Seen look_around(const Document& document) {
         for (int x = 0; x < grid; ++x) {
             const auto ray = world.camera.primary((2 * x + 1) * camera.width / (2 * grid),
                                                   (2 * y + 1) * camera.height / (2 * grid));
-            const auto hit = world.shapes.closest(ray, no_primitive, {}, count);
+            const auto hit = world.shapes.closest(ray, no_primitive,
+                                                  {world.camera.near_along(ray.direction)}, count);
             if (hit) {
                 seen.points.push_back(along(ray.origin, hit->t, ray.direction));
                 seen.depths.push_back(hit->t * glm::dot(ray.direction, forward));
