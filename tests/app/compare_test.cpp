@@ -211,6 +211,28 @@ TEST_CASE("app: before and after a change: it begins where the change acts") {
     CHECK(count(state, RayMark::different) > 0);
 }
 
+TEST_CASE("app: a ray that a change has cut off has one number everywhere: the one it had before") {
+    State state;
+    state.show(test::opened(test::glass_ball_scene()));
+    test::run_and_wait(state, "pixel.pick", "40,30");
+    const RayTree<double> before = state.tree()->tree;
+    test::run_and_wait(state, "change.set", "/settings/max_depth 1");
+    test::run_and_wait(state, "compare.before");
+    std::size_t missing = 0;
+    for (const ContrastLine& line : state.tree()->contrast->lines) {
+        if (state.tree()->is_own(line.ray)) {
+            continue;
+        }
+        ++missing;
+        CHECK(line.text.starts_with(number_of(*state.tree(), line.ray) + " "));
+        const std::size_t number = std::stoul(line.text.substr(2));  // "(#5) reflected ray ..."
+        CHECK(before.rays[number].kind == state.tree()->tree.rays[line.ray].kind);
+        CHECK(before.rays[number].origin == state.tree()->tree.rays[line.ray].origin);
+    }
+    CHECK(missing == before.rays.size() - state.tree()->own());
+    CHECK(missing > 3);
+}
+
 TEST_CASE("app: a chosen pixel apart from a recorded tree's is traced; back there it is again") {
     const Scene scene = test::glass_ball_scene();
     const TreeFile file(true_tree(scene), &scene);

@@ -160,7 +160,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 void MainWindow::share_room() {
     const bool teaches = lesson_dock_->isVisibleTo(this);
     const bool three = teaches || side_->isVisibleTo(this);  // columns
-    const int left = three ? std::clamp(static_cast<int>(width() * 0.26), 300, 560)
+    const int left = three ? std::clamp(static_cast<int>(width() * 0.26), 312, 560)
                            : std::clamp(static_cast<int>(width() * 0.31), 330, 620);
     if (teaches) {
         resizeDocks({lesson_dock_}, {std::clamp(static_cast<int>(width() * 0.27), 300, 480)},

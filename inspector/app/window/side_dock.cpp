@@ -44,7 +44,7 @@ QWidget* SideDock::make_title() {
     tabs_ = new QTabBar;
     tabs_->setExpanding(false);
     tabs_->setDrawBase(false);
-    for (const char* const title : {"Steps", "Change", "Differences"}) {
+    for (const char* const title : {"Steps", "Change", "Compare"}) {
         tabs_->addTab(QString::fromUtf8(title));
     }
     auto* const close = new QToolButton;
