@@ -81,8 +81,8 @@ class Overlay {
             nodes.push_back({card.parent, card.width, card.height});
         }
         layout_ = lay_out(nodes, {24, 34});
-        const std::string title = "Pixel (" + std::to_string(truth_.pixel_i) + ", " +
-                                  std::to_string(truth_.pixel_j) + ") of " + truth_.scene_name +
+        const std::string title = "Pixel " + std::to_string(truth_.pixel_i) + "," +
+                                  std::to_string(truth_.pixel_j) + " of " + truth_.scene_name +
                                   ": " + fitted_text(harmless(report_.file), 15, 320);
         const double width = std::max({layout_.breadth, text_width(verdict_text(), font),
                                        1.2 * text_width(title, 15), 620.0}) +

@@ -40,8 +40,8 @@ class Graph {
     explicit Graph(const RayTree<double>& tree) : tree_(tree), children_(children_of(tree)) {}
 
     std::string write() {
-        const std::string title = "Ray tree of pixel (" + std::to_string(tree_.pixel_i) + ", " +
-                                  std::to_string(tree_.pixel_j) + ")" +
+        const std::string title = "Ray tree of pixel " + std::to_string(tree_.pixel_i) + "," +
+                                  std::to_string(tree_.pixel_j) +
                                   (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
         text_ =
             "digraph raytree {\n"

@@ -61,8 +61,8 @@ class Drawing {
     double bottom(const Box& box) const { return card_y(box) + box.card_height; }
 
     std::string title_text() const {
-        return "Ray tree of pixel (" + std::to_string(tree_.pixel_i) + ", " +
-               std::to_string(tree_.pixel_j) + ")" +
+        return "Ray tree of pixel " + std::to_string(tree_.pixel_i) + "," +
+               std::to_string(tree_.pixel_j) +
                (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
     }
 

@@ -54,8 +54,8 @@ void write_ray(JsonWriter& json, const TreeRay<double>& ray) {
 class Outline {
   public:
     std::string draw(const RayTree<double>& tree) {
-        text_ = "Ray tree of pixel (" + std::to_string(tree.pixel_i) + ", " +
-                std::to_string(tree.pixel_j) + ")" +
+        text_ = "Ray tree of pixel " + std::to_string(tree.pixel_i) + "," +
+                std::to_string(tree.pixel_j) +
                 (tree.scene_name.empty() ? "" : " of " + tree.scene_name) + "\n";
         for (const TreeRay<double>& ray : tree.rays) {
             draw_ray(ray);

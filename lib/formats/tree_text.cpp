@@ -89,8 +89,8 @@ class Outline {
     void write_header() {
         const std::string scene = tree_.scene_name.empty() ? "" : " of " + tree_.scene_name;
         out_.paragraph("", "",
-                       {{Style::heading, "The ray tree of pixel (" + std::to_string(tree_.pixel_i) +
-                                             ", " + std::to_string(tree_.pixel_j) + ")" + scene}});
+                       {{Style::heading, "The ray tree of pixel " + std::to_string(tree_.pixel_i) +
+                                             "," + std::to_string(tree_.pixel_j) + scene}});
         out_.line("", {});
         row({}, "pixel", pixel_text());
         row({}, "rays", counts_text());

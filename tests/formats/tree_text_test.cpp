@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the outline of a small tree is as worked out by hand") {
-    const std::string expected = R"(The ray tree of pixel (3, 4) of example
+    const std::string expected = R"(The ray tree of pixel 3,4 of example
 
 pixel  (0.425, 0.325, 0.375), in 8 bits (108, 83, 96)
 rays   5: 1 primary, 1 reflected, 1 refracted, 2 shadow; 2 levels
