@@ -219,8 +219,11 @@ void ChangePane::add_row(QFormLayout* form, const Knob& knob) {
     row.slider->setRange(whole ? static_cast<int>(knob.least) : 0,
                          whole ? static_cast<int>(knob.most) : slider_steps);
     row.slider->setPageStep(whole ? 1 : slider_steps / 20);
-    row.field->setFixedWidth(  // all else is the slider's
-        row.field->fontMetrics().horizontalAdvance(QStringLiteral("0.00, 0.00, 0.00")) + 14);
+    const auto wide = [&](const char* text) {
+        return row.field->fontMetrics().horizontalAdvance(QLatin1String(text)) + 14;
+    };
+    row.field->setMinimumWidth(wide("0.00, 0.00"));
+    row.field->setMaximumWidth(wide("0.00, 0.00, 0.00"));  // all else is the slider's
     row.slider->setMinimumWidth(7 * fontMetrics().averageCharWidth());
     layout->addWidget(row.slider, 1);
     layout->addWidget(row.field);

@@ -103,7 +103,7 @@ class Writer {
         }
         const QString colour = faint ? label_colour : qt(palette_.text).name();
         html_ +=
-            QStringLiteral("<tr><td width='31%' style='color:%1; padding-right:6px'>%2%3%4%5</td>")
+            QStringLiteral("<tr><td width='35%' style='color:%1; padding-right:6px'>%2%3%4%5</td>")
                 .arg(strong ? colour : label_colour, strong ? "<b>" : "",
                      breakable(escaped(row.label)), strong ? "</b>" : "", swatch_of(row));
         for (std::size_t k = 0; k < row.cells.size(); ++k) {

@@ -43,14 +43,15 @@ FilterPane::FilterPane(State& state, QWidget* parent) : QWidget(parent), state_(
         list->setUniformRowHeights(true);
         list->setAccessibleName(QString::fromUtf8(titles[k]));
         list->setHeaderLabels({QString::fromUtf8(titles[k]), QStringLiteral("rays")});
+        list->setTextElideMode(Qt::ElideMiddle);  // "glass p…side 1": sides differ at their end
         list->header()->setStretchLastSection(false);
         list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
         list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
         connect(list, &QTreeWidget::itemChanged, this, &FilterPane::take_click);
         layout->addWidget(list, 0, k);
-        layout->setColumnStretch(k, k == 3 ? 4 : 3);
-        list->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("reflected   rays")) +
-                              50);
+        layout->setColumnStretch(k, k == 3 ? 7 : 3);
+        const char* const longest = k == 0 ? "reflected   rays" : "Light   rays";
+        list->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1String(longest)) + 50);
         lists_.push_back(list);
     }
     layout->addWidget(make_weights(), 1, 0, 1, 4);

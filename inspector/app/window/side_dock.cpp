@@ -5,6 +5,7 @@
 #include <QStyle>
 #include <QTabBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "window/change_pane.h"
 #include "window/compare_pane.h"
@@ -25,7 +26,7 @@ SideDock::SideDock(State& state, std::function<void(const std::string&)> run,
     panes_->addWidget(steps_);
     panes_->addWidget(change_);
     panes_->addWidget(compare_);
-    panes_->setMinimumWidth(270);
+    panes_->setMinimumWidth(std::max(270, 40 * fontMetrics().averageCharWidth()));
     setWidget(panes_);
     setTitleBarWidget(make_title());
     state_.observe([this](const Changes& changes) {

@@ -66,8 +66,8 @@ QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
 QTabBar::tab:focus { background: @checked; }
 QToolBar { background: @window; border: none; border-bottom: 1px solid @rule; padding: 3px 6px;
            spacing: 1px; }
-QToolBar::separator { background: @rule; width: 1px; margin: 5px 6px; }
-QToolButton { color: @text; border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; }
+QToolBar::separator { background: @rule; width: 1px; margin: 5px 3px; }
+QToolButton { color: @text; border: 1px solid transparent; border-radius: 4px; padding: 3px 4px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @checked; border-color: @rule; }
 QToolButton:disabled { color: @faint; }
