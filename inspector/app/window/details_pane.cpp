@@ -102,10 +102,12 @@ class Writer {
             return;
         }
         const QString colour = faint ? label_colour : qt(palette_.text).name();
-        html_ +=
-            QStringLiteral("<tr><td width='35%' style='color:%1; padding-right:6px'>%2%3%4%5</td>")
-                .arg(strong ? colour : label_colour, strong ? "<b>" : "",
-                     breakable(escaped(row.label)), strong ? "</b>" : "", swatch_of(row));
+        html_ += QStringLiteral(
+                     "<tr><td width='35%' style='color:%1; padding-right:6px%2'>%3%4%5%6</td>")
+                     .arg(strong ? colour : label_colour,
+                          row.swatch ? "; white-space:nowrap" : "",  // it touches no number
+                          strong ? "<b>" : "", breakable(escaped(row.label)), strong ? "</b>" : "",
+                          swatch_of(row));
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             add_cell(row, k, colour, strong);
         }
@@ -126,7 +128,7 @@ class Writer {
         html_ += row.is_text
                      ? QStringLiteral("<td colspan='3' align='left'>%1</td>").arg(text)
                      : QStringLiteral(
-                           "<td align='right' style='color:%1; "
+                           "<td align='right' style='color:%1; padding-left:5px; "
                            "font-family:%2; white-space:nowrap'>%3%4%5</td>")
                            .arg(colour, mono_, strong ? "<b>" : "", text, strong ? "</b>" : "");
     }

@@ -40,7 +40,9 @@ bool Waiting::show_until(const std::function<bool(std::chrono::milliseconds)>& i
         if (!stage.doing.empty()) {
             dialog.setMaximum(100);
             dialog.setValue(static_cast<int>(100 * stage.share));
-            text += QStringLiteral("  %1, %2 %").arg(qt(stage.doing)).arg(dialog.value());
+            if (!title.contains(qt(stage.doing), Qt::CaseInsensitive)) {  // the bar has the share
+                text += QStringLiteral("  ") + qt(stage.doing);
+            }
         }
         dialog.setLabelText(text + QStringLiteral("  (%1 s)").arg(time.elapsed() / 1000));
         QApplication::processEvents();
