@@ -44,7 +44,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state), theme_(state
     colour_message();
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
-    details_->setMinimumWidth(48 * fontMetrics().averageCharWidth());  // three columns of numbers
+    details_->setMinimumWidth(47 * fontMetrics().averageCharWidth());  // three columns of numbers
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
     add_lesson_dock();
