@@ -98,6 +98,11 @@ bool is_unit(Field field) {
            field == Field::sin2_transmitted;
 }
 
+bool is_part_of_intensity(Field field) {
+    return field == Field::ambient || field == Field::diffuse || field == Field::specular ||
+           field == Field::intensity;
+}
+
 double largest(const Numbers& numbers) {
     double most = 0;
     for (int k = 0; k < numbers.size; ++k) {
@@ -106,13 +111,23 @@ double largest(const Numbers& numbers) {
     return most;
 }
 
-double error_of(Field field, const Numbers& a, const Numbers& b) {
+double error_of(Field field, const Numbers& a, const Numbers& b, double intensity) {
     double off = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         off = std::max(off, std::abs(a.x[k] - b.x[k]));
     }
-    const double size = is_unit(field) ? 1 : std::max(largest(a), largest(b));
+    const double least = is_part_of_intensity(field) ? intensity : 0;
+    const double size = is_unit(field) ? 1 : std::max({least, largest(a), largest(b)});
     return off == 0 ? 0 : off / size;
+}
+
+/// What a part of the ray's intensity is measured by: a highlight of 1e-147 is none. Of a shadow
+/// ray, whose light is a part of its parent's.
+double size_of_intensity(const RayTree<double>& tree, std::size_t ray) {
+    constexpr double of_pixel = 1e-12;
+    const std::size_t whole = tree.rays[ray].shadow ? tree.rays[ray].parent.value_or(ray) : ray;
+    return std::max(largest(numbers_of(tree, whole, Field::intensity)),
+                    of_pixel * largest(numbers_of(tree, 0, Field::intensity)));
 }
 
 }  // namespace
@@ -147,6 +162,8 @@ std::vector<FieldDifference> differences(const RayTree<double>& first, std::size
                                          const RayTree<double>& second, std::size_t other,
                                          double rtol) {
     std::vector<FieldDifference> found;
+    const double intensity =
+        std::max(size_of_intensity(first, ray), size_of_intensity(second, other));
     for (std::size_t k = 0; k < field_count; ++k) {
         const Field field = static_cast<Field>(k);
         const Value a = value_of(first, ray, field), b = value_of(second, other, field);
@@ -154,7 +171,7 @@ std::vector<FieldDifference> differences(const RayTree<double>& first, std::size
         if (words ? a.word != b.word : field == Field::termination && a.word != b.word) {
             found.push_back({field, a, b, 1});
         } else if (a.numbers.size == b.numbers.size) {
-            const double error = error_of(field, a.numbers, b.numbers);
+            const double error = error_of(field, a.numbers, b.numbers, intensity);
             if (!(error <= rtol)) {
                 found.push_back({field, a, b, error});
             }

@@ -34,7 +34,8 @@ struct FieldDifference {
     double error = 0;  ///< relative to the size of the quantity; 1 for words
 };
 /// Every field that both rays have, in the order of computation. `rtol` is relative to the size of
-/// the quantity; of directions and cosines to 1.
+/// the quantity; of directions and cosines to 1; of what an intensity is summed up from to the
+/// whole of it, and that is at least 1e-12 of the pixel's.
 std::vector<FieldDifference> differences(const RayTree<double>& first, std::size_t ray,
                                          const RayTree<double>& second, std::size_t other,
                                          double rtol);

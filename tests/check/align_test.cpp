@@ -118,6 +118,30 @@ TEST_CASE("align: what differs is told by field, with both values") {
     CHECK(check::differences(tree, ray, other, ray, 0.2).size() == 1);
 }
 
+TEST_CASE("align: a part of an intensity is measured by the whole of it") {
+    RayTree<double> tree = glass_ball_tree();
+    RayTree<double> other = tree;
+    tree.rays[0].intensity = other.rays[0].intensity = {0.5, 0.25, 0.125};
+    tree.rays[0].specular = {3e-147, 0, 0};
+    other.rays[0].specular = {0, 2e-150, 0};
+    CHECK(check::differences(tree, 0, other, 0, 1e-9).empty());
+    other.rays[0].specular = {1e-3, 0, 0};
+    const auto found = check::differences(tree, 0, other, 0, 1e-9);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].field == Field::specular);
+    CHECK(found[0].error == doctest::Approx(1e-3 / 0.5));
+    // A ray of little intensity is measured by its own, as long as that is seen in the pixel.
+    const std::size_t ray = first_of(tree, RayKind::refracted);
+    tree.rays[ray].intensity = other.rays[ray].intensity = {1e-8, 1e-8, 1e-8};
+    tree.rays[ray].diffuse = {1e-9, 0, 0};
+    other.rays[ray].diffuse = {2e-9, 0, 0};
+    CHECK(check::differences(tree, ray, other, ray, 1e-9).size() == 1);
+    tree.rays[ray].intensity = {1e-147, 0, 0};
+    other.rays[ray].intensity = {0, 0, 0};
+    tree.rays[ray].diffuse = other.rays[ray].diffuse = {0, 0, 0};
+    CHECK(check::differences(tree, ray, other, ray, 1e-9).empty());
+}
+
 TEST_CASE("align: a ray that meets nothing differs from one that meets something") {
     const RayTree<double> tree = glass_ball_tree();
     RayTree<double> other = tree;
