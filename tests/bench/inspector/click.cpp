@@ -5,6 +5,8 @@
 // Usage: raytree_inspector_click [SCENE [WIDTH HEIGHT]]   (a display is needed, such as Xvfb's)
 
 #include <QWindow>
+#include <chrono>
+#include <future>
 
 #include "folders.h"
 #include "inspector/hand.h"
@@ -74,13 +76,17 @@ Opened with_depth(const Opened& opened) {
 }
 
 void run(const char* file, int width, int height, int argc, char** argv, const Stopwatch& start) {
-    const Opened opened = with_depth(open_file(file));  // first, as the program does
+    auto reading = std::async(std::launch::async,  // beside the window, as the program does
+                              [&] { return with_depth(open_file(file)); });
     ShownWindow shown(argc, argv, width, height);
     State& state = shown.state;
     ScenePane& pane = shown.window.scene_pane();
     process_while([&] { return !shown.window.windowHandle()->isExposed(); });
     QApplication::processEvents();
     const Time on_the_screen = start.read();
+    process_while(
+        [&] { return reading.wait_for(std::chrono::seconds(0)) != std::future_status::ready; });
+    const Opened opened = reading.get();
     time_of(state, pane, [&] { state.show(opened); });
     const Time drawn = start.read();
     std::printf("%s, %zu objects, depth %d, window %dx%d\n", file,
