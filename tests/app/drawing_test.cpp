@@ -318,6 +318,11 @@ TEST_CASE("app: every kind of ray that a tree has is drawn in its colour") {
     check_sound(meshes.solid);
     check_sound(meshes.fading);
     check_sound(meshes.halo);
+    // Where an object or a light is selected, the ray beneath it looks like the others.
+    const RayMeshes beneath =
+        ray_meshes({paths, t.tree, 0, t.extent, square_view(), palette, {}, false});
+    CHECK(beneath.halo.points.empty());
+    CHECK(beneath.solid.triangle_count() == meshes.solid.triangle_count());
 }
 
 TEST_CASE("app: rays beside the selected one are set aside") {

@@ -1,5 +1,6 @@
 #include "view3d/scene_drawing.h"
 
+#include <new>
 #include <utility>
 
 namespace raytree::inspector {
@@ -73,7 +74,11 @@ void SceneDrawing::run() {
             return;
         }
         way_->take(RightOfWay::drawing);
-        is_asked() ? draw_next(scene, lock) : draw_rest(scene, lock);
+        try {
+            is_asked() ? draw_next(scene, lock) : draw_rest(scene, lock);
+        } catch (const std::bad_alloc&) {
+            give_up(lock);
+        }
     }
 }
 
@@ -82,9 +87,13 @@ void SceneDrawing::draw_next(Scene3d& scene, Lock& lock) {
         Image image = std::move(*image_);
         image_.reset();
         lock.unlock();
-        scene.show(image.frame);
-        scene.render();
-        image.promise.set_value(scene.image());
+        try {
+            scene.show(image.frame);
+            scene.render();
+            image.promise.set_value(scene.image());
+        } catch (const std::bad_alloc&) {
+            image.promise.set_exception(std::current_exception());
+        }
         rest_ = Rest::none;  // the window asks for its frame again
         lock.lock();
         return;
@@ -121,7 +130,22 @@ void SceneDrawing::draw_rest(Scene3d& scene, Lock& lock) {
 
 /// Hands over the frame that has been rendered.
 void SceneDrawing::finish(Scene3d& scene, Lock& lock) {
-    DrawnFrame frame{scene.image(), shown_, scene.is_rough(), scene.keeps()};
+    hand_over({scene.image(), shown_, scene.is_rough(), scene.keeps()}, lock);
+}
+
+/// What was drawn last stays, and the next frame may need less.
+void SceneDrawing::give_up(Lock& lock) {
+    rest_ = Rest::none;
+    if (lock.owns_lock()) {
+        lock.unlock();
+    }
+    DrawnFrame none;
+    none.number = shown_;
+    none.failed = true;
+    hand_over(std::move(none), lock);
+}
+
+void SceneDrawing::hand_over(DrawnFrame frame, Lock& lock) {
     lock.lock();
     frames_.push_back(std::move(frame));
     answered_.notify_one();

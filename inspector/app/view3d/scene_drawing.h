@@ -15,9 +15,10 @@ namespace raytree::inspector {
 
 struct DrawnFrame {
     FrameImage image;
-    int number = 0;      ///< of what was asked for
-    bool rough = false;  ///< another one follows, with all shapes as they are
-    bool keeps = false;  ///< no more than rays was drawn over shapes that had stood still
+    int number = 0;       ///< of what was asked for
+    bool rough = false;   ///< another one follows, with all shapes as they are
+    bool keeps = false;   ///< no more than rays was drawn over shapes that had stood still
+    bool failed = false;  ///< there was too little memory: there is no image
 };
 
 /// Draws the 3D view in a thread of its own: software takes longer than a window may stand still.
@@ -34,7 +35,7 @@ class SceneDrawing {
     std::optional<DrawnFrame> take();
     /// The same, waiting for one.
     DrawnFrame wait();
-    /// Beside what is shown: drawn as a whole.
+    /// Beside what is shown: drawn as a whole. It throws what drawing throws.
     std::future<FrameImage> draw_image(SceneFrame frame);
 
   private:
@@ -51,6 +52,8 @@ class SceneDrawing {
     void draw_next(Scene3d& scene, Lock& lock);
     void draw_rest(Scene3d& scene, Lock& lock);
     void finish(Scene3d& scene, Lock& lock);
+    void give_up(Lock& lock);
+    void hand_over(DrawnFrame frame, Lock& lock);
 
     std::shared_ptr<RightOfWay> way_;  ///< over other work, as long as it draws
     std::function<void()> drawn_;

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <iterator>
+#include <new>
 #include <utility>
 
 #include "drawing/picking.h"
@@ -196,17 +197,25 @@ void ScenePane::change_view(const View& view) {
     redraw();
 }
 
+/// However long it takes. Throws InputError where there is too little memory for it.
+QImage ScenePane::drawn_whole(const SceneFrame& frame) {
+    FrameImage drawn;
+    try {
+        state_.do_beside("Drawing the 3D view", [&] { drawn = drawing_.draw_image(frame).get(); });
+    } catch (const std::bad_alloc&) {
+        throw InputError("", "", "there is too little memory for a picture of the 3D view");
+    }
+    return image_of(drawn, frame.ratio);
+}
+
 QImage ScenePane::image(QSize size) {
     View view = view_;
     view.width = std::max(1, size.width());
     view.height = std::max(1, size.height());
     const Shapes shapes = shapes_for(view);
     Described described = describe(view, shapes);
-    FrameImage drawn;
-    state_.do_beside("Drawing the 3D view",
-                     [&] { drawn = drawing_.draw_image(described.frame).get(); });
+    QImage image = drawn_whole(described.frame);
     redraw();
-    QImage image = image_of(drawn, described.frame.ratio);
     SceneOverlay overlay(state_, nullptr);
     overlay.take_words_of(*overlay_);
     overlay.set_labels(view, std::move(described.labels), std::move(described.lines));
@@ -219,10 +228,7 @@ QImage ScenePane::image(QSize size) {
 QPixmap ScenePane::grabbed(QWidget& widget) {
     const Shapes shapes = shapes_for(view_);
     Described described = describe(view_, shapes);
-    FrameImage drawn;
-    state_.do_beside("Drawing the 3D view",
-                     [&] { drawn = drawing_.draw_image(described.frame).get(); });
-    canvas_->show_frame(image_of(drawn, described.frame.ratio));
+    canvas_->show_frame(drawn_whole(described.frame));
     overlay_->set_labels(described.frame.view, std::move(described.labels),
                          std::move(described.lines));
     redraw();

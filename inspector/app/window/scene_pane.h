@@ -84,6 +84,7 @@ class ScenePane : public QWidget {
     void make_mesh(double pixel);
     bool take_mesh(std::chrono::milliseconds patience);
     Shapes shapes_for(const View& view);
+    QImage drawn_whole(const SceneFrame& frame);
     PicturePlace picture_place(const View& view) const;
     Described describe(const View& view, const Shapes& shapes) const;
     SceneThings things(const View& view, const SceneMesh& shapes) const;

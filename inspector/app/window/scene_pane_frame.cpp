@@ -58,11 +58,15 @@ void ScenePane::take_frames() {
 }
 
 void ScenePane::show_frame(const DrawnFrame& frame) {
-    ++frames_;
     shown_ = frame.number;
     rough_ = frame.rough;
     keeps_ = frame.keeps;
-    canvas_->show_frame(image_of(frame.image, described_.frame.ratio));
+    if (frame.failed) {
+        state_.say("There is too little memory to draw the 3D view.");
+    } else {
+        ++frames_;
+        canvas_->show_frame(image_of(frame.image, described_.frame.ratio));
+    }
     if (shown_ == asked_) {
         overlay_->set_labels(described_.frame.view, described_.labels, described_.lines);
         if (stale_ || stale_picture_) {
