@@ -50,6 +50,18 @@ TEST_CASE("app lessons: views are told of a step once, of all that it has change
     CHECK(told.size() == 2);
 }
 
+TEST_CASE("app lessons: a changed scene is not saved over that of the lesson") {
+    AtStep at("1");
+    std::vector<Changes> told;
+    at.state.observe([&](const Changes& changes) { told.push_back(changes); });
+    const auto size = std::filesystem::file_size(at.state.document()->file());
+    test::run_and_wait(at.state, "change.set", "/lights/0/intensity 0.123456");
+    run_command(at.state, "file.save");
+    CHECK(told.back().request == Request::save_scene_as);
+    CHECK(std::filesystem::file_size(at.state.document()->file()) == size);
+    CHECK(at.state.edits().unsaved());
+}
+
 TEST_CASE("app lessons: next and back go on to the neighbouring lessons") {
     AtStep at("7");
     run_command(at.state, "lesson.next");

@@ -153,6 +153,7 @@ void State::stage(const lesson::Show& show) {
     explained_ = {};  // what the step before showed is not worked out for this one
     if (document_ != document) {
         this->show({.document = document, .pixel = pixel, .notes = {}});
+        own_file_.reset();  // it is the lesson's: changes of it are saved elsewhere
     } else {
         pick(pixel);
     }
@@ -233,7 +234,7 @@ void State::ask_again() {
 }
 
 void State::try_value(double value) {
-    if (lesson_ && lesson_->here().ask && lesson_->here().ask->kind == AskKind::value) {
+    if (!busy_ && lesson_ && lesson_->here().ask && lesson_->here().ask->kind == AskKind::value) {
         if (value != value_tried()) {
             const auto document = lesson_->document_with(value);
             tried_ = value;  // before views are told of the scene: they ask for it

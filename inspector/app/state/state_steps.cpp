@@ -47,7 +47,7 @@ void State::go_to_stop(std::size_t stop) {
 
 void State::set_step_order(StepOrder order) {
     step_order_ = order;
-    if (playback_) {
+    if (playback_ && tree_) {  // else as soon as the tree has come
         begin_playback();
     }
     tell({.selection = playback_.has_value(), .playback = true});
@@ -67,7 +67,7 @@ void State::set_pace(double stops_a_second) {
 }
 
 void State::tick() {
-    if (playing_) {
+    if (playing_ && !busy_) {
         playing_ = playback_->stop() + 2 < playback_->stops();
         go_to_stop(playback_->stop() + 1);
     }
