@@ -2,14 +2,13 @@
 
 #include <cstdio>
 #include <exception>
-#include <future>
 #include <memory>
 #include <span>
 
 #include "arguments.h"
 #include "lesson/lesson_folder.h"
-#include "state/start_pixel.h"
 #include "state/state.h"
+#include "window/opening.h"
 
 namespace raytree::inspector {
 namespace {
@@ -47,7 +46,7 @@ FirstView lesson_view(const std::filesystem::path& folder, const std::string& na
 }
 
 FirstView scene_view(const Arguments& arguments) {
-    Opened opened = open_file(arguments.file.value_or(RAYTREE_FIRST_SCENE), arguments.scene);
+    Opened opened = open_for_window(arguments.file.value_or(RAYTREE_FIRST_SCENE), arguments.scene);
     if (arguments.pixel) {
         if (!opened.document->contains(*arguments.pixel)) {
             const Camera& camera = opened.document->scene().camera;
@@ -58,8 +57,6 @@ FirstView scene_view(const Arguments& arguments) {
                                  text_of(Pixel{camera.width - 1, camera.height - 1}));
         }
         opened.pixel = arguments.pixel;
-    } else if (!opened.pixel) {
-        opened.pixel = start_pixel(*opened.document);
     }
     return [=](State& state) { state.show(opened); };
 }
@@ -93,10 +90,10 @@ int run(int argc, char** argv) {
         std::puts("raytree " RAYTREE_VERSION);
         return 0;
     }
-    auto reading = std::async(std::launch::async, first_view, arguments);
+    FirstReading reading = begin_reading([&arguments] { return first_view(arguments); });
     const auto display = open_display();
     if (!display) {
-        reading.get();  // a file that cannot be read is the worse of two mistakes
+        reading.view.get();  // a file that cannot be read is the worse of two mistakes
         std::fputs(
             "raytree-inspector: there is no display to open a window on (DISPLAY); "
             "xvfb-run gives one to programs on machines without\n",

@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -103,6 +104,28 @@ class WindowTest : public test::ShownWindow {
         QTest::mouseRelease(&picture, Qt::LeftButton, {}, end.toPoint());
         QCOMPARE(state_.pixel().i, 50);
         QCOMPARE(state_.pixel().j, 20);
+    }
+
+    void details_that_stay_the_same_stay_where_they_are() {
+        QScrollBar& bar = *window_->details_pane().verticalScrollBar();
+        QVERIFY(bar.maximum() > 0);
+        bar.setValue(bar.maximum());
+        run_command(state_, "show.shadow");
+        run_command(state_, "show.shadow");
+        QCOMPARE(bar.value(), bar.maximum());
+        state_.select(1);
+        QCOMPARE(bar.value(), 0);
+    }
+
+    void panes_follow_what_has_changed_while_they_were_hidden() {
+        run_command(state_, "tab.counts");
+        state_.select(2);
+        run_command(state_, "change.set", "/settings/max_depth 2");
+        QTRY_VERIFY(!state_.working());
+        run_command(state_, "tab.outline");
+        check_linked(state_.selected()->id);
+        run_command(state_, "change.undo");
+        QTRY_VERIFY(!state_.working());
     }
 
     void arrows_move_the_pixel() {

@@ -8,7 +8,7 @@
 #include <new>
 
 #include "formats/output_file.h"
-#include "state/start_pixel.h"
+#include "window/opening.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -70,15 +70,8 @@ template <class Reading> auto Files::read(const Path& file, Reading reading) {
     }
 }
 
-/// A pixel to begin with is looked for in the thread as well.
 std::optional<Opened> Files::load(const Path& file, const std::optional<Path>& scene) {
-    return read(file, [=] {
-        Opened opened = open_file(file, scene);
-        if (!opened.pixel) {
-            opened.pixel = start_pixel(*opened.document);
-        }
-        return opened;
-    });
+    return read(file, [=] { return open_for_window(file, scene); });
 }
 
 void Files::open(const Path& file, const std::optional<Path>& scene) {

@@ -4,7 +4,9 @@
 #include <QElapsedTimer>
 #include <QSettings>
 #include <QTimer>
+#include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "formats/output_file.h"
 #include "state/commands.h"
@@ -14,7 +16,6 @@
 #include "window/main_window.h"
 #include "window/remembered_table.h"
 #include "window/scene_pane.h"
-#include "window/work_progress.h"
 
 namespace raytree::inspector {
 namespace {
@@ -37,21 +38,6 @@ void wait_until_drawn(const State& state, MainWindow& window) {
     QApplication::processEvents();
 }
 
-/// What takes long to read is waited for by a window that answers. Where it has been closed by
-/// then, nobody wants it any longer.
-void wait_until_read(State& state, const MainWindow& window, std::future<FirstView>& reading) {
-    using namespace std::chrono_literals;
-    state.say("Reading what is to be shown…");
-    while (reading.wait_for(10ms) != std::future_status::ready) {
-        QApplication::processEvents();
-        if (!window.isVisible()) {
-            std::_Exit(0);
-        }
-    }
-    state.say({});
-    reading.get()(state);
-}
-
 /// What a script does next may be about the tree that it has just asked for.
 void wait_for_tree(State& state) {
     QElapsedTimer time;
@@ -68,11 +54,43 @@ void take_screenshot(const State& state, MainWindow& window, const std::filesyst
 
 }  // namespace
 
+FirstReading begin_reading(std::function<FirstView()> read) {
+    auto progress = std::make_shared<WorkProgress>();
+    auto view = std::async(std::launch::async, [progress, read = std::move(read)] {
+        const std::shared_ptr<void> end(nullptr, [&](void*) { progress->end(); });
+        const ProgressListener listener = progress->listener();
+        return read();
+    });
+    return {std::move(view), std::move(progress)};
+}
+
+bool wait_until_read(State& state, const QWidget& window, FirstReading& reading) {
+    using namespace std::chrono_literals;
+    std::string said;
+    while (reading.view.wait_for(10ms) != std::future_status::ready) {
+        std::string text = "Reading what is to be shown…";
+        if (const auto [doing, share] = reading.progress->stage(); !doing.empty()) {
+            text += "  " + doing + ", " + std::to_string(std::lround(100 * share)) + " %";
+        }
+        if (said != text) {
+            state.say(said = std::move(text));
+        }
+        QApplication::processEvents();
+        if (!window.isVisible() || state.document()) {
+            reading.progress->cancel();
+            return window.isVisible();
+        }
+    }
+    state.say({});
+    reading.view.get()(state);
+    return true;
+}
+
 void prepare_qt() {
     qputenv("QT_QPA_PLATFORM", "xcb");  // the 3D view is drawn by X as well
 }
 
-int run_window(int& argc, char** argv, State& state, std::future<FirstView> reading,
+int run_window(int& argc, char** argv, State& state, FirstReading reading,
                const WindowOptions& options) {
     prepare_qt();
     // A screenshot has the size asked for on every display.
@@ -84,15 +102,16 @@ int run_window(int& argc, char** argv, State& state, std::future<FirstView> read
     QApplication::setOrganizationName(QStringLiteral("raytree"));
     QApplication::setApplicationName(QStringLiteral("raytree-inspector"));
 
-    const bool is_read = reading.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    const bool is_read =
+        reading.view.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
     if (is_read) {
-        reading.get()(state);
+        reading.view.get()(state);
     }
     MainWindow window(state);
     window.resize(options.width, options.height);
     window.show();
-    if (!is_read) {
-        wait_until_read(state, window, reading);
+    if (!is_read && !wait_until_read(state, window, reading)) {
+        return 0;
     }
     // The panes are told of what is open by its being shown once more.
     state.show_again();

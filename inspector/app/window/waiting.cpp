@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QProgressDialog>
+#include <QTimer>
 
 #include "window/qt_text.h"
 
@@ -23,8 +24,24 @@ WorkProgress::Stage WorkProgress::stage() const {
     return stage_;
 }
 
-bool Waiting::show_until(const std::function<bool(std::chrono::milliseconds)>& is_there,
-                         const WorkProgress& progress, QWidget* parent, const QString& title) {
+bool Waiting::comes_soon(const IsThere& is_there) {
+    using namespace std::chrono_literals;
+    constexpr qint64 glance = 60;  // milliseconds
+    QElapsedTimer time;
+    time.start();
+    QTimer look_again;
+    look_again.start(2);
+    bool there = is_there(0ms);
+    while (!there && time.elapsed() < glance) {
+        QApplication::processEvents(QEventLoop::ExcludeUserInputEvents |
+                                    QEventLoop::WaitForMoreEvents);
+        there = is_there(0ms);
+    }
+    return there;
+}
+
+bool Waiting::show_until(const IsThere& is_there, const WorkProgress& progress, QWidget* parent,
+                         const QString& title) {
     using namespace std::chrono_literals;
     QProgressDialog dialog(title, QStringLiteral("Cancel"), 0, 0, parent);
     dialog.setWindowModality(Qt::WindowModal);
@@ -56,13 +73,16 @@ bool Waiting::show_until(const std::function<bool(std::chrono::milliseconds)>& i
 void Waiting::finish(QWidget* parent, const QString& title, const std::function<void()>& work) {
     using namespace std::chrono_literals;
     auto done = std::async(std::launch::async, work);
-    if (done.wait_for(60ms) != std::future_status::ready) {
+    const IsThere is_there = [&](std::chrono::milliseconds patience) {
+        return done.wait_for(patience) == std::future_status::ready;
+    };
+    if (!comes_soon(is_there)) {
         QProgressDialog dialog(title, {}, 0, 0, parent);
         dialog.setCancelButton(nullptr);
         dialog.setWindowModality(Qt::ApplicationModal);
         dialog.setMinimumDuration(0);
         dialog.setMinimumWidth(dialog.fontMetrics().averageCharWidth() * 50);
-        while (done.wait_for(15ms) != std::future_status::ready) {
+        while (!is_there(15ms)) {
             dialog.show();  // again, where Escape has closed it
             QApplication::processEvents();
         }

@@ -21,7 +21,6 @@ class Waiting {
     /// None where it was cancelled. Throws what the work throws.
     template <class Work> auto wait(QWidget* parent, const QString& title, Work work)
         -> std::optional<decltype(work())> {
-        using namespace std::chrono_literals;
         const auto progress = std::make_shared<WorkProgress>();
         std::packaged_task<decltype(work())()> task([progress, work = std::move(work)] {
             const ProgressListener listener = progress->listener();
@@ -32,10 +31,10 @@ class Waiting {
             task();
             progress->end();
         }).detach();
-        const auto is_there = [&](std::chrono::milliseconds patience) {
+        const IsThere is_there = [&](std::chrono::milliseconds patience) {
             return answer.wait_for(patience) == std::future_status::ready;
         };
-        if (!is_there(60ms) && !show_until(is_there, *progress, parent, title)) {
+        if (!comes_soon(is_there) && !show_until(is_there, *progress, parent, title)) {
             progress->cancel();
             return std::nullopt;
         }
@@ -46,9 +45,14 @@ class Waiting {
     static void finish(QWidget* parent, const QString& title, const std::function<void()>& work);
 
   private:
+    /// Whether the answer is there, waiting for it no longer than that.
+    using IsThere = std::function<bool(std::chrono::milliseconds)>;
+    /// Whether it comes within a glance. Meanwhile all is drawn as before; clicks and keys come
+    /// later, in their order.
+    static bool comes_soon(const IsThere& is_there);
     /// Whether it came and was not cancelled.
-    static bool show_until(const std::function<bool(std::chrono::milliseconds)>& is_there,
-                           const WorkProgress& progress, QWidget* parent, const QString& title);
+    static bool show_until(const IsThere& is_there, const WorkProgress& progress, QWidget* parent,
+                           const QString& title);
 };
 
 }  // namespace raytree::inspector
