@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <utility>
 
 #include "window/exporter.h"
 #include "window/files.h"
@@ -59,9 +60,9 @@ Actions::Actions(State& state, QMainWindow* window, AskFile ask_file,
     }
     add_menus(window);
     add_toolbar(window);
-    refresh(true);
+    refresh();
     QApplication::instance()->installEventFilter(this);
-    state_.observe([this](const Changes& changes) { refresh(changes.look); });
+    state_.observe([this](const Changes&) { refresh(); });
 }
 
 QAction* Actions::make(const Command& command) {
@@ -104,7 +105,7 @@ void Actions::run(const Command& command, std::string argument) {
     } catch (const InputError& error) {
         fail_(error);
     }
-    refresh(false);  // a switch that Qt has turned stands as the state says
+    refresh();  // a switch that Qt has turned stands as the state says
 }
 
 /// While a menu is open its keys are its own: arrows go through it and change no pixel.
@@ -154,7 +155,9 @@ void Actions::give_keys_to(QWidget* widget) {
     }
 }
 
-void Actions::refresh(bool theme) {
+/// Icons are drawn, and drawn anew with another theme alone.
+void Actions::refresh() {
+    const bool theme = std::exchange(icons_of_, state_.look().theme) != state_.look().theme;
     for (const Command& command : commands()) {
         const auto found = actions_.find(command.id);
         if (found == actions_.end()) {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -43,7 +44,7 @@ class Actions : public QObject {
     void add_menus(QMainWindow* window);
     void add_toolbar(QMainWindow* window);
     QAction* make(const Command& command);
-    void refresh(bool theme);
+    void refresh();
 
     State& state_;
     AskFile ask_file_;
@@ -51,6 +52,7 @@ class Actions : public QObject {
     QMenu* file_menu_ = nullptr;
     std::function<void(const InputError&)> fail_;
     std::map<std::string_view, QAction*> actions_;
+    std::optional<Theme> icons_of_;  ///< none: not drawn yet
 };
 
 }  // namespace raytree::inspector

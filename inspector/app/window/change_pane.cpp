@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "state/commands.h"
 #include "window/qt_text.h"
@@ -42,6 +43,12 @@ double value_at(const Knob& knob, int place) {
         return place == 0 ? 0 : knob.least * std::pow(knob.most / knob.least, share);
     }
     return knob.least + share * (knob.most - knob.least);
+}
+
+/// Whether they look and work alike.
+bool same_row(const Knob& a, const Knob& b) {
+    return a.place == b.place && a.label == b.label && a.kind == b.kind && a.least == b.least &&
+           a.most == b.most && a.logarithmic == b.logarithmic && a.words == b.words;
 }
 
 /// The object that the ray hits, or the light that it asks.
@@ -133,14 +140,24 @@ QLineEdit* ChangePane::field(const std::string& place) const {
 }
 
 void ChangePane::obey(const Changes& changes) {
-    if (changes.document) {
+    stale_list_ |= changes.document;
+    stale_values_ |= changes.values;
+    // With another tree, whoever looks at the settings goes on doing so.
+    const bool on_settings = stale_list_ || owners_->currentIndex() <= 0;
+    stale_ray_ |= changes.selection && !changes.values && !(changes.tree && on_settings);
+    if (isVisible()) {
+        renew();
+    }
+}
+
+void ChangePane::renew() {
+    const bool values = std::exchange(stale_values_, false);
+    if (std::exchange(stale_list_, false)) {
         list_owners();
-    } else if (changes.values) {
+    } else if (values) {
         listed_ == owners_of(state_.document()->scene()) ? show_values() : list_owners();
     }
-    // With another tree, whoever looks at the settings goes on doing so.
-    const bool on_settings = owners_->currentIndex() <= 0;
-    if (changes.selection && !changes.values && !(changes.tree && on_settings)) {
+    if (std::exchange(stale_ray_, false)) {
         follow_ray();
     }
     for (const auto& [button, command] : buttons_) {
@@ -170,10 +187,15 @@ void ChangePane::follow_ray() {
     }
 }
 
-/// Rows anew: their sliders' ranges stay as they are while they are dragged.
+/// Rows anew, where they are others: sliders' ranges stay as they are while they are dragged.
 void ChangePane::show_owner() {
     if (following_ || owners_->currentIndex() < 0) {
         return;
+    }
+    const KnobOwner owner = listed_[static_cast<std::size_t>(owners_->currentIndex())];
+    const std::vector<Knob> knobs = knobs_of(state_.document()->scene(), owner);
+    if (!rows_.empty() && std::ranges::equal(knobs, rows_, same_row, {}, &Row::knob)) {
+        return show_values();
     }
     rows_.clear();
     auto* const box = new QWidget;
@@ -181,8 +203,6 @@ void ChangePane::show_owner() {
     form->setContentsMargins(0, 4, 4, 4);
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    const KnobOwner owner = listed_[static_cast<std::size_t>(owners_->currentIndex())];
-    const std::vector<Knob> knobs = knobs_of(state_.document()->scene(), owner);
     rows_.reserve(knobs.size());
     for (const Knob& knob : knobs) {
         add_row(form, knob);

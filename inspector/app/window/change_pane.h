@@ -28,6 +28,9 @@ class ChangePane : public QWidget {
     QSlider* slider(const std::string& place) const;
     QLineEdit* field(const std::string& place) const;
 
+  protected:
+    void showEvent(QShowEvent*) override { renew(); }
+
   private:
     struct Row {
         Knob knob;
@@ -38,6 +41,7 @@ class ChangePane : public QWidget {
 
     QWidget* make_buttons();
     void obey(const Changes& changes);
+    void renew();
     void list_owners();
     void follow_ray();
     void show_owner();
@@ -54,6 +58,8 @@ class ChangePane : public QWidget {
     std::vector<std::pair<QPushButton*, const char*>> buttons_;  ///< and their commands
     std::vector<KnobOwner> listed_;
     std::vector<Row> rows_;
+    // What the pane has yet to follow: it does so once it is seen.
+    bool stale_list_ = false, stale_values_ = false, stale_ray_ = false;
     bool following_ = false;  ///< the pane follows the state, not the hand
 };
 

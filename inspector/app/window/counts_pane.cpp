@@ -7,6 +7,7 @@
 #include "state/numbers.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
+#include "window/rich_text.h"
 
 namespace raytree::inspector {
 namespace {
@@ -200,7 +201,7 @@ void CountsPane::show_counts() {
         write_not_sent(writer, all);
         writer.end_column();
     }
-    setHtml(writer.take());
+    show_html(*this, writer.take());
 }
 
 }  // namespace raytree::inspector

@@ -17,6 +17,7 @@
 #include "state/thing_details.h"
 #include "tree/explain.h"
 #include "window/qt_text.h"
+#include "window/rich_text.h"
 
 namespace raytree::inspector {
 namespace {
@@ -165,7 +166,7 @@ DetailsPane::DetailsPane(State& state, QWidget* parent) : QTextBrowser(parent), 
     state_.observe([this](const Changes& changes) {
         if (changes.selection || changes.tree || changes.look || changes.playback ||
             changes.lesson || changes.explained) {
-            show_selection();
+            show_selection(changes.lesson);
         }
         if (changes.request == Request::copy_number) {
             copy_number();
@@ -189,10 +190,11 @@ QVariant DetailsPane::loadResource(int type, const QUrl& name) {
     return image;
 }
 
-void DetailsPane::show_selection() {
+void DetailsPane::show_selection(bool anew) {
     number_.reset();
     if (!state_.thing() && !state_.tree()) {
         setPlainText(qt(state_.message()));
+        shown_.clear();
         return;
     }
     const Palette& palette = palette_of(state_.look().theme);
@@ -208,7 +210,14 @@ void DetailsPane::show_selection() {
         write_ray(writer);
     }
     numbers_ = writer.take_numbers();
-    setHtml(writer.take());
+    const QString html = writer.take();
+    if (html == shown_ && !anew) {
+        return;
+    }
+    if (html != shown_) {
+        show_html(*this, html);
+        shown_ = html;
+    }
     verticalScrollBar()->setValue(0);
     if (marked_formula(state_) && !state_.thing()) {
         scrollToAnchor(QStringLiteral("marked"));

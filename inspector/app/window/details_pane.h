@@ -23,14 +23,16 @@ class DetailsPane : public QTextBrowser {
     QVariant loadResource(int type, const QUrl& name) override;
 
   private:
-    void show_selection();
+    /// Where the same is shown already, nothing moves, unless it is wanted `anew`, from its top on.
+    void show_selection(bool anew);
     template <class Writer> void write_ray(Writer& writer) const;
     void follow(const QUrl& link);
     void hint(const QUrl& link);
     void copy_number();
 
     State& state_;
-    std::vector<double> numbers_;   ///< as they stand in the text
+    QString shown_;                 ///< the text
+    std::vector<double> numbers_;   ///< as they stand in it
     std::optional<double> number_;  ///< the one that is pointed at
 };
 

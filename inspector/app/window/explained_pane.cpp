@@ -9,6 +9,7 @@
 #include "state/explained_text.h"
 #include "window/explained_pictures.h"
 #include "window/qt_text.h"
+#include "window/rich_text.h"
 
 namespace raytree::inspector {
 namespace {
@@ -132,13 +133,17 @@ void ExplainedPane::renew() {
     }
     // Beside each other where there is room, else below each other; pictures take what is left.
     picture_room_ = viewport()->width();
-    setHtml(html_of(sections, false));
-    if (document()->idealWidth() > viewport()->width()) {
-        setHtml(html_of(sections, true));
+    show_html(*this, html_of(sections, false));
+    if (sections.size() > 1 && document()->idealWidth() > viewport()->width()) {
+        show_html(*this, html_of(sections, true));
     }
-    if (const double over = document()->idealWidth() - viewport()->width(); over > 0) {
+    const bool has_picture = std::ranges::any_of(sections, [](const ExplainedSection& section) {
+        return section.picture != ExplainedSection::Picture::none;
+    });
+    const double over = document()->idealWidth() - viewport()->width();
+    if (has_picture && over > 0) {
         picture_room_ -= static_cast<int>(std::ceil(over));
-        setHtml(html_of(sections, true));
+        show_html(*this, html_of(sections, true));
     }
     if (state_.explained().traversal) {
         scrollToAnchor(QStringLiteral("now"));

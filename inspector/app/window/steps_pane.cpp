@@ -85,8 +85,6 @@ StepsPane::StepsPane(State& state, QWidget* parent)
     });
     connect(timer_, &QTimer::timeout, this, [this] { state_.tick(); });
     state_.observe([this](const Changes& changes) { obey(changes); });
-    colour_signs();
-    show_step();
 }
 
 QToolButton* StepsPane::button(const char* command, int icon) {
@@ -136,6 +134,10 @@ QWidget* StepsPane::make_buttons() {
 
 /// The style's own signs, in the theme's colour.
 void StepsPane::colour_signs() {
+    const std::pair now(state_.look().theme, state_.playing());
+    if (std::exchange(signs_of_, now) == now) {
+        return;
+    }
     const QColor ink = qt(palette_of(state_.look().theme).text);
     for (QToolButton* const made : findChildren<QToolButton*>()) {
         const bool plays = made == play_ && state_.playing();
@@ -159,9 +161,18 @@ QString StepsPane::event() const { return event_->text(); }
 
 void StepsPane::obey(const Changes& changes) {
     if (changes.playback || changes.tree || changes.look) {
-        colour_signs();
         timer_->setInterval(static_cast<int>(1000 / state_.pace()));
         state_.playing() ? (timer_->isActive() ? void() : timer_->start()) : timer_->stop();
+        stale_ = true;
+        if (isVisible()) {
+            renew();
+        }
+    }
+}
+
+void StepsPane::renew() {
+    if (std::exchange(stale_, false)) {
+        colour_signs();
         show_step();
     }
 }

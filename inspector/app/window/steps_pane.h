@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <utility>
 
 #include "state/state.h"
 
@@ -21,11 +23,15 @@ class StepsPane : public QWidget {
     QSlider* position() const { return position_; }
     QString event() const;
 
+  protected:
+    void showEvent(QShowEvent*) override { renew(); }
+
   private:
     QWidget* make_buttons();
     QToolButton* button(const char* command, int icon);
     void run(const char* command);
     void obey(const Changes& changes);
+    void renew();
     void colour_signs();
     void show_step();
     void show_calls(const Playback& playback);
@@ -37,6 +43,8 @@ class StepsPane : public QWidget {
     QLabel *place_ = nullptr, *event_ = nullptr, *calls_title_ = nullptr;
     QTreeWidget* calls_ = nullptr;
     bool following_ = false;  ///< the pane follows the state, not the hand
+    bool stale_ = true;       ///< something has changed since the pane was seen
+    std::optional<std::pair<Theme, bool>> signs_of_;  ///< and of a tree that plays, or does not
 };
 
 }  // namespace raytree::inspector

@@ -7,6 +7,8 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QWidget>
+#include <optional>
 
 #include "window/qt_text.h"
 
@@ -49,6 +51,22 @@ class Style : public QProxyStyle {
 
   private:
     Palette palette_;
+};
+
+/// While it lives, a new style sheet changes what widgets look like and not how large they are:
+/// none is to lay itself out anew, which takes most of the time.
+class KeepsSizes : public QObject {
+  public:
+    KeepsSizes() { qApp->installEventFilter(this); }
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::StyleChange || !watched->isWidgetType()) {
+            return false;
+        }
+        static_cast<QWidget*>(watched)->update();
+        return true;
+    }
 };
 
 QString css(Ink ink) { return qt(ink).name(); }
@@ -126,7 +144,9 @@ QToolTip { background: @panel; color: @text; border: 1px solid @rule; padding: 3
 void apply_theme(const Palette& p) {
     // The same style stays: another one has every widget polished once more.
     static QPointer<QProxyStyle> style;
+    std::optional<KeepsSizes> keeps;
     if (style) {
+        keeps.emplace();
         static_cast<Style*>(style.data())->set_colours(p);
     } else {
         QApplication::setStyle(style = new Style(p));
