@@ -17,6 +17,7 @@
 #include <QtTest>
 #include <atomic>
 #include <fstream>
+#include <new>
 #include <random>
 #include <sstream>
 
@@ -26,6 +27,7 @@
 #include "formats/scene_json.h"
 #include "scene/progress.h"
 #include "state/commands.h"
+#include "view3d/scene_drawing.h"
 #include "window/details_pane.h"
 #include "window/files.h"
 #include "window/outline_pane.h"
@@ -53,6 +55,24 @@ struct SlowWork {
             stopped = true;
             throw;
         }
+    }
+};
+
+/// A window that has nothing to show yet.
+struct Beginning {
+    State state;
+    MainWindow window{state};
+    SlowWork work;
+
+    Beginning() { window.show(); }
+    /// For what is read once the work is done; does something to the window meanwhile.
+    bool wait(const FirstView& view, const std::function<void()>& meanwhile) {
+        FirstReading reading = begin_reading([&] {
+            work.run();
+            return view;
+        });
+        QTimer::singleShot(150, &window, meanwhile);
+        return wait_until_read(state, window, reading);
     }
 };
 
@@ -93,16 +113,17 @@ class HostileTest : public test::ShownWindow {
                 break;
         }
         if (id == "change.set" || id == "change.drag") {
-            return one_of(std::array{
-                       "/settings/max_depth ", "/lights/0/intensity ", "/materials/glass/ior ",
-                       "/materials/red/kd ", "/no/such/place ", "/settings/min_weight "}) +
+            return one_of(std::array{"/settings/max_depth ", "/lights/0/intensity ",
+                                     "/materials/glass/ior ", "/materials/red/kd ",
+                                     "/no/such/place ", "/settings/min_weight "}) +
                    std::to_string(between(-1, 12) * 0.25);
         }
         if (id.starts_with("lesson.open")) {
             return one_of(std::array{"ball", "again", "none"});
         }
-        return one_of(std::array{"1", "2", "3", "7", "99", "a", "b", "ball", "key", "kind shadow hidden",
-                                 "level 2 dimmed", "t", "weight", "nonsense", ""});
+        return one_of(std::array{"1", "2", "3", "7", "99", "a", "b", "ball", "key",
+                                 "kind shadow hidden", "level 2 dimmed", "t", "weight", "nonsense",
+                                 ""});
     }
 
     void run_any_command() {
@@ -129,7 +150,8 @@ class HostileTest : public test::ShownWindow {
                 shown.push_back(widget);
             }
         }
-        QWidget* const widget = shown[static_cast<int>(below(static_cast<std::size_t>(shown.size())))];
+        QWidget* const widget =
+            shown[static_cast<int>(below(static_cast<std::size_t>(shown.size())))];
         const QPoint at(between(0, widget->width() - 1), between(0, widget->height() - 1));
         done_.push_back(std::string("click ") + widget->metaObject()->className());
         const auto button = below(8) == 0 ? Qt::RightButton : Qt::LeftButton;
@@ -159,7 +181,8 @@ class HostileTest : public test::ShownWindow {
         } else if (QWidget* const dialog = QApplication::activeModalWidget()) {
             const auto buttons = dialog->findChildren<QPushButton*>();
             qobject_cast<QMessageBox*>(dialog) && !buttons.isEmpty()
-                ? buttons[static_cast<int>(below(static_cast<std::size_t>(buttons.size())))]->click()
+                ? buttons[static_cast<int>(below(static_cast<std::size_t>(buttons.size())))]
+                      ->click()
                 : static_cast<void>(dialog->close());
         }
     }
@@ -179,8 +202,7 @@ class HostileTest : public test::ShownWindow {
         QTRY_VERIFY_WITH_TIMEOUT(window_->scene_pane().is_current(), 60'000);
         const QByteArray after = last_done();
         QCOMPARE(window_->side_dock().isVisible(), state_.side_pane() != SidePane::none);
-        const auto* const model =
-            static_cast<const OutlineModel*>(window_->outline_pane().model());
+        const auto* const model = static_cast<const OutlineModel*>(window_->outline_pane().model());
         const QModelIndex row = window_->outline_pane().currentIndex();
         if (!state_.tree()) {
             return;
@@ -204,13 +226,6 @@ class HostileTest : public test::ShownWindow {
         QVERIFY2(QApplication::palette().color(QPalette::Window) == ground, after);
     }
 
-    /// Reads the first view by `read`, in a window that has nothing yet.
-    template <class Read, class Act> bool begin(State& state, QWidget& window, Read read, Act act) {
-        FirstReading reading = begin_reading(read);
-        QTimer::singleShot(150, &window, act);
-        return wait_until_read(state, window, reading);
-    }
-
   private Q_SLOTS:
     void initTestCase() {
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
@@ -224,75 +239,55 @@ class HostileTest : public test::ShownWindow {
     }
 
     void a_window_answers_while_its_first_scene_is_read() {
-        State state;
-        MainWindow window(state);
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        SlowWork work;
+        Beginning first;
+        QVERIFY(QTest::qWaitForWindowExposed(&first.window));
         std::string said;
-        const auto read = [&]() -> FirstView {
-            work.run();
-            return [](State& to) { to.show(test::opened(test::glass_ball_scene())); };
-        };
         const auto look = [&] {
-            said = state.message();
-            window.resize(1000, 700);
-            run_command(state, "look.dark");
-            work.may_end = true;
+            said = first.state.message();
+            first.window.resize(1000, 700);
+            run_command(first.state, "look.dark");
+            first.work.may_end = true;
         };
-        QVERIFY(begin(state, window, read, look));
+        const auto show = [](State& state) { state.show(test::opened(test::glass_ball_scene())); };
+        QVERIFY(first.wait(show, look));
         QVERIFY2(said.find("counting, 25 %") != std::string::npos, said.c_str());
-        QVERIFY(state.document());
-        QVERIFY(state.message().empty());
-        QCOMPARE(state.look().theme, Theme::dark);
-        run_command(state, "look.dark");
+        QVERIFY(first.state.document());
+        QVERIFY(first.state.message().empty());
+        QCOMPARE(first.state.look().theme, Theme::dark);
+        run_command(first.state, "look.dark");
     }
 
     void a_window_that_is_closed_reads_no_further() {
-        State state;
-        MainWindow window(state);
-        window.show();
-        SlowWork work;
-        const auto read = [&]() -> FirstView {
-            work.run();
-            return [](State&) {};
-        };
-        QVERIFY(!begin(state, window, read, [&] { window.close(); }));
-        QVERIFY(work.stopped);
-        QVERIFY(!state.document());
+        Beginning first;
+        QVERIFY(!first.wait([](State&) {}, [&] { first.window.close(); }));
+        QVERIFY(first.work.stopped);
+        QVERIFY(!first.state.document());
         QCOMPARE(WorkProgress::running(), 0);
     }
 
     void what_is_opened_meanwhile_stays() {
-        State state;
-        MainWindow window(state);
-        window.show();
-        SlowWork work;
-        const auto read = [&]() -> FirstView {
-            work.run();
-            return [](State&) { QFAIL("nobody wants it any longer"); };
-        };
-        QVERIFY(begin(state, window, read, [&] { window.open(qt(path("ball.json"))); }));
-        QVERIFY(work.stopped);
-        QCOMPARE(state.document()->file(), std::filesystem::path(path("ball.json")));
+        Beginning first;
+        const auto open = [&] { first.window.open(qt(path("ball.json"))); };
+        QVERIFY(first.wait([](State&) { QFAIL("nobody wants it any longer"); }, open));
+        QVERIFY(first.work.stopped);
+        QCOMPARE(first.state.document()->file(), std::filesystem::path(path("ball.json")));
     }
 
     void a_first_scene_that_cannot_be_read_is_told() {
         State state;
-        MainWindow window(state);
-        window.show();
-        const auto read = [&]() -> FirstView {
+        const MainWindow window(state);
+        FirstReading reading = begin_reading([&]() -> FirstView {
             open_file(path("broken.json"));
             return [](State&) {};
-        };
-        QVERIFY_EXCEPTION_THROWN(begin(state, window, read, [] {}), InputError);
+        });
+        QVERIFY_EXCEPTION_THROWN(wait_until_read(state, *window_, reading), InputError);
     }
 
     void long_work_says_how_far_it_is_and_can_be_cancelled() {
         for (const bool cancels : {false, true}) {
             SlowWork work;
             QString said;
-            int beats = 0;
+            int beats = 0, share = 0;
             QTimer beat;
             connect(&beat, &QTimer::timeout, this, [&] {
                 ++beats;
@@ -301,17 +296,40 @@ class HostileTest : public test::ShownWindow {
                     return;
                 }
                 said = dialogs.front()->labelText();
+                share = dialogs.front()->value();
                 cancels ? dialogs.front()->cancel() : static_cast<void>(work.may_end = true);
             });
             beat.start(5);
-            const auto answer = Waiting().wait(window_.get(), QStringLiteral("Counting…"), [&] {
+            const auto answer = Waiting().wait(window_.get(), QStringLiteral("Working…"), [&] {
                 work.run();
                 return 7;
             });
             QCOMPARE(answer, cancels ? std::nullopt : std::optional(7));
-            QVERIFY2(said.contains(QStringLiteral("counting, 25 %")), qPrintable(said));
+            QVERIFY2(said.contains(QStringLiteral("counting")), qPrintable(said));
+            QCOMPARE(share, 25);
             QTRY_COMPARE(work.stopped.load(), cancels);
         }
+    }
+
+    void a_frame_for_which_memory_is_too_little_is_told_and_the_next_is_drawn() {
+        std::atomic<bool> fails{true};
+        SceneDrawing drawing(std::make_shared<RightOfWay>(), [&] {
+            if (fails.exchange(false)) {
+                throw std::bad_alloc();
+            }
+        });
+        SceneFrame frame;
+        frame.shapes = std::make_shared<SceneMesh>();
+        frame.things = std::make_shared<SceneThings>();
+        frame.view.width = frame.view.height = 64;
+        const int first = drawing.draw(frame);
+        QCOMPARE(drawing.wait().number, first);
+        QVERIFY(drawing.wait().failed);  // that it was there could not be told
+        const int next = drawing.draw(frame);
+        const DrawnFrame drawn = drawing.wait();
+        QVERIFY(!drawn.failed);
+        QCOMPARE(drawn.number, next);
+        QCOMPARE(drawn.image.width, 64);
     }
 
     void commands_clicks_and_keys_in_no_order() {
