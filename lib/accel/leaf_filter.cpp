@@ -72,6 +72,7 @@ void LeafFilter::copy_leaf(const ShapeSet<double>& shapes, const WideBvh& bvh, W
     for (std::size_t lane = 0; lane < n; ++lane) {
         const std::size_t item = leaf.first() + lane;
         const Primitive primitive = shapes[bvh.items()[item]];
+        row[(numbers - 1) * n + lane] = std::bit_cast<float>(bvh.items()[item]);
         if (leaf.kind() == triangle) {
             const auto shape = shapes.triangle(primitive);
             copy(shape, row + lane, n);

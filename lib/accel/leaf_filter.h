@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <span>
 
 #include "accel/wide_bvh.h"
@@ -21,7 +22,9 @@ class LeafFilter {
     /// z of the first vertex, of the second, of the third, the unit normal (0 where double hardly
     /// tells it: a sliver), the largest extent along an axis; spheres: x, y, z and radius; cones:
     /// the base, the unit axis, the larger radius, the height, the radius of a sphere around all.
-    static constexpr std::size_t numbers = 13;
+    /// The last is the bits of the shape's name: what is met is called by it, and here it comes with
+    /// the rest.
+    static constexpr std::size_t numbers = 14;
     /// The first of them, which are a triangle's or a sphere's own.
     static constexpr std::size_t own_numbers = 9;
 
@@ -37,6 +40,11 @@ class LeafFilter {
     }
 
     const float* of_leaf(WideBvh::Ref leaf) const { return &floats_[numbers * leaf.first()]; }
+
+    /// The name of a shape that is copied.
+    PrimitiveId name_of(WideBvh::Ref leaf, std::size_t lane) const {
+        return std::bit_cast<PrimitiveId>(of_leaf(leaf)[(numbers - 1) * leaf.count() + lane]);
+    }
 
     /// The origin of a ray that has been prepared for the boxes, in the space of the copies.
     Vec3<double> origin_of(const WideBvh::BoxRay& ray) const { return ray.origin + shift_; }

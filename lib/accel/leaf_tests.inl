@@ -171,10 +171,15 @@ inline unsigned filter_leaf(const LeafFilter& filter, Ref leaf, const Traveller&
     return shapes.intersect(id, query.ray, query.leaving);
 }
 
+inline PrimitiveId name_of(const Searched& searched, Ref leaf, std::size_t lane) {
+    return leaf.kind() == LeafFilter::other ? searched.bvh.items()[leaf.first() + lane]
+                                            : searched.filter.name_of(leaf, lane);
+}
+
 /// The shape at a lane of a leaf, met in double.
 inline Roots<double> meet(const Searched& searched, Ref leaf, std::size_t lane,
                           const Traveller& ray) {
-    const auto id = [&] { return searched.bvh.items()[leaf.first() + lane]; };
+    const auto id = [&] { return name_of(searched, leaf, lane); };
     const PrimitiveId leaving = ray.query->leaving;
     const Start start = leaving == no_primitive ? Start::anywhere : start_on(id(), leaving);
     switch (leaf.kind()) {
@@ -198,7 +203,7 @@ inline bool meet_lane(const Searched& searched, Ref leaf, std::size_t lane, Trav
         if (!query.interval.contains(roots.t[k]) || roots.t[k] > ray.best.t) {
             continue;
         }
-        const Hit<double> hit{roots.t[k], searched.bvh.items()[leaf.first() + lane]};
+        const Hit<double> hit{roots.t[k], name_of(searched, leaf, lane)};
         if (hit < ray.best) {
             ray.best = hit;
             if constexpr (any_will_do) {

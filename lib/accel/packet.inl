@@ -134,7 +134,7 @@ template <bool any_will_do> class Packet {
 
     /// Meets one shape with some of the rays.
     void meet_some(Ref leaf, std::size_t lane, unsigned some, Shaft& shaft) {
-        const PrimitiveId id = searched_.bvh.items()[leaf.first() + lane];
+        const PrimitiveId id = name_of(searched_, leaf, lane);
         const bool is_planar = planar(leaf, id);
         bool nearer = false;
         for (; some != 0; some &= some - 1) {
