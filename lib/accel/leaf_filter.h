@@ -22,8 +22,8 @@ class LeafFilter {
     /// z of the first vertex, of the second, of the third, the unit normal (0 where double hardly
     /// tells it: a sliver), the largest extent along an axis; spheres: x, y, z and radius; cones:
     /// the base, the unit axis, the larger radius, the height, the radius of a sphere around all.
-    /// The last is the bits of the shape's name: what is met is called by it, and here it comes with
-    /// the rest.
+    /// The last is the bits of the shape's name: what is met is called by it, and here it comes
+    /// with the rest.
     static constexpr std::size_t numbers = 14;
     /// The first of them, which are a triangle's or a sphere's own.
     static constexpr std::size_t own_numbers = 9;

@@ -100,7 +100,9 @@ template <class T> class ShapeSet {
 /// The name that a primitive is reported by: its object's, and "name#k" for a mesh's triangle k.
 std::string primitive_name(const Scene& scene, const Primitive& primitive);
 
-template <class T> Primitive ShapeSet<T>::operator[](PrimitiveId id) const {
+// Inline, though instantiated in one place: so the kernels have them in their instruction set.
+
+template <class T> inline Primitive ShapeSet<T>::operator[](PrimitiveId id) const {
     const std::uint32_t object = object_of_[id];
     const Part& part = parts_[object];
     const std::uint32_t number = id - part.first;
@@ -109,7 +111,7 @@ template <class T> Primitive ShapeSet<T>::operator[](PrimitiveId id) const {
 }
 
 template <class T>
-TriangleShape<T> ShapeSet<T>::mesh_triangle(const Mesh& mesh, std::uint32_t place) const {
+inline TriangleShape<T> ShapeSet<T>::mesh_triangle(const Mesh& mesh, std::uint32_t place) const {
     const Mesh::Triangle& corners = mesh.triangles[place];
     const auto vertex = [&](std::size_t k) {
         return vector_cast<T>(mesh.vertices[static_cast<std::size_t>(corners[k].vertex)]);
@@ -117,13 +119,13 @@ TriangleShape<T> ShapeSet<T>::mesh_triangle(const Mesh& mesh, std::uint32_t plac
     return {{vertex(0), vertex(1), vertex(2)}};
 }
 
-template <class T> TriangleShape<T> ShapeSet<T>::triangle(const Primitive& p) const {
+template <class T> inline TriangleShape<T> ShapeSet<T>::triangle(const Primitive& p) const {
     const Mesh* const mesh = parts_[p.object].mesh;
     return mesh ? mesh_triangle(*mesh, static_cast<std::uint32_t>(p.part)) : triangles_[p.shape];
 }
 
-template <class T>
-Roots<T> ShapeSet<T>::intersect(PrimitiveId id, const Ray<T>& ray, PrimitiveId leaving) const {
+template <class T> inline Roots<T> ShapeSet<T>::intersect(PrimitiveId id, const Ray<T>& ray,
+                                                          PrimitiveId leaving) const {
     const Primitive primitive = (*this)[id];
     const Start start = start_on(id, leaving);
     const auto meet_shape = [&](const Ray<T>& r) {

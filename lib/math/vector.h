@@ -33,9 +33,18 @@ template <class T> T largest_component(const Vec3<T>& v) {
     return max_of(abs(v.x), max_of(abs(v.y), abs(v.z)));
 }
 
+/// Whether the squares of a vector's components can be summed as they are: none is too large, and
+/// what underflows is nothing beside the square of the largest, which is given.
+template <class T> bool can_be_squared(T largest) {
+    return largest >= 1 / Real<T>::largest_length && largest <= Real<T>::largest_length;
+}
+
 /// Euclidean length; does not overflow or underflow where the result does not.
 template <class T> T length(const Vec3<T>& v) {
     const T scale = largest_component(v);
+    if (can_be_squared(scale)) {
+        return sqrt(inner(v, v));
+    }
     if (!(scale > 0) || !isfinite(scale)) {
         return scale;
     }
@@ -53,7 +62,8 @@ template <class T> class UnitVec3 {
   public:
     /// The direction of `v`, which must be finite and not zero.
     static UnitVec3 of(const Vec3<T>& v) {
-        const Vec3<T> scaled = v / largest_component(v);
+        const T largest = largest_component(v);
+        const Vec3<T> scaled = can_be_squared(largest) ? v : Vec3<T>(v / largest);
         return UnitVec3(scaled / sqrt(inner(scaled, scaled)));
     }
 

@@ -27,6 +27,10 @@ template <class T> struct LengthAndDirection {
 template <class T>
 [[gnu::always_inline]] inline LengthAndDirection<T> length_and_direction(const Vec3<T>& v) {
     const T scale = largest_component(v);
+    if (can_be_squared(scale)) {
+        const T length = sqrt(inner(v, v));
+        return {length, v / length};
+    }
     if (!(scale > 0)) {
         return {scale, v};
     }

@@ -199,7 +199,7 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     const WorldMaterial<T>& material_of(PrimitiveId shape) const {
         return world_.materials[material_id_of(shape)];
     }
-    void refract(Node& node) const;
+    [[gnu::flatten]] void refract(Node& node) const;
     void light(Node& node);
     void shine(Node& node, std::size_t light, const Illumination<T>& at);
     void send_in_vain(const Node& node, std::size_t light, const Illumination<T>& at);
