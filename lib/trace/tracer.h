@@ -168,7 +168,7 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
         const Branch& branch;
         RayHandle handle;
         Hit<T> hit;
-        SurfacePoint<T> surface;
+        const SurfacePoint<T>& surface;
         bool front;
         Vec3<T> normal;  ///< n of the model
         std::uint32_t material_id;
@@ -182,6 +182,8 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     Result trace(const Branch& branch, RayHandle parent);
     Result miss(const Branch& branch, RayHandle handle);
     Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit);
+    Result meet(const Branch& branch, RayHandle handle, const Hit<T>& hit,
+                const SurfacePoint<T>& surface);
     /// A ray that leaves a hit to the outer or the inner side of its surface.
     static void leave(const Vec3<T>& point, const Vec3<T>& direction, bool outwards, Ray<T>& ray) {
         ray.origin = point;
@@ -205,8 +207,8 @@ template <class T, class Recorder, Facts facts = Facts{}> class Tracer {
     void send_in_vain(const Node& node, std::size_t light, const Illumination<T>& at);
     Rgb<T> transmitted(const Query<T>& query, std::size_t light, std::optional<Hit<T>>& blocker);
     [[gnu::flatten]] bool hidden(const Query<T>& query, std::size_t light);
-    std::optional<Reason> why_not(const Node& node, RayKind kind, const Rgb<T>& weight) const;
-    std::optional<Reason> grow(Node& node, RayKind kind);
+    bool may_grow(const Node& node, RayKind kind, const Rgb<T>& weight, Reason& why_not) const;
+    bool grow(Node& node, RayKind kind, Reason& why_not);
 
     const World<T>& world_;
     const Settings& settings_;
@@ -242,11 +244,18 @@ auto Tracer<T, Recorder, facts>::miss(const Branch& branch, RayHandle handle) ->
 template <class T, class Recorder, Facts facts>
 auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit)
     -> Result {
+    if (branch.known) {
+        return meet(branch, handle, hit, *branch.known->surface);
+    }
+    return meet(branch, handle, hit, surface_at(hit, branch.query.ray));
+}
+
+template <class T, class Recorder, Facts facts>
+auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, const Hit<T>& hit,
+                                      const SurfacePoint<T>& surface) -> Result {
     const Vec3<T>& d = branch.query.ray.direction;
     const std::uint32_t material = material_id_of(hit.primitive);
-    Node node(branch, handle, hit,
-              branch.known ? *branch.known->surface : surface_at(hit, branch.query.ray), material,
-              world_.materials[material]);
+    Node node(branch, handle, hit, surface, material, world_.materials[material]);
     if (facts.attenuated && branch.kind != RayKind::primary) {
         node.attenuation = world_.attenuation.at(hit.t);
     }
@@ -262,10 +271,11 @@ auto Tracer<T, Recorder, facts>::meet(const Branch& branch, RayHandle handle, co
     node.end.ambient = node.material.ambient;
     light(node);
     node.end.intensity = node.end.ambient + node.end.diffuse + node.end.specular;
-    const auto not_reflected = grow(node, RayKind::reflected);
-    const auto not_refracted = grow(node, RayKind::refracted);
-    if (not_reflected && not_refracted) {
-        const Reason later = std::max(*not_reflected, *not_refracted);
+    Reason not_reflected{}, not_refracted{};
+    const bool reflects = grow(node, RayKind::reflected, not_reflected);
+    const bool refracts = grow(node, RayKind::refracted, not_refracted);
+    if (!reflects && !refracts) {
+        const Reason later = std::max(not_reflected, not_refracted);
         node.end.termination = later <= Reason::not_transmissive ? Reason::opaque : later;
     }
     recorder_.end(handle, node.end);
@@ -396,45 +406,42 @@ bool Tracer<T, Recorder, facts>::hidden(const Query<T>& query, std::size_t light
     return last != no_primitive;
 }
 
-/// The first reason in the model's order for which a branch is not grown, if there is one.
+/// Whether a branch is grown; else `why_not` is the first reason in the model's order.
 template <class T, class Recorder, Facts facts>
-std::optional<Reason> Tracer<T, Recorder, facts>::why_not(const Node& node, RayKind kind,
-                                                          const Rgb<T>& weight) const {
+bool Tracer<T, Recorder, facts>::may_grow(const Node& node, RayKind kind, const Rgb<T>& weight,
+                                          Reason& why_not) const {
     const bool reflected = kind == RayKind::reflected;
     if (is_zero(reflected ? node.kr : node.kt)) {
-        return reflected ? Reason::not_reflective : Reason::not_transmissive;
+        why_not = reflected ? Reason::not_reflective : Reason::not_transmissive;
+    } else if (!reflected && node.snell.total_reflection()) {
+        why_not = Reason::total_internal_reflection;
+    } else if (node.branch.level >= settings_.max_depth) {
+        why_not = Reason::max_depth;
+    } else if (largest_component(weight) < world_.min_weight) {
+        why_not = Reason::low_intensity;
+    } else if (rays_ >= settings_.ray_budget) {
+        why_not = Reason::ray_budget;
+    } else {
+        return true;
     }
-    if (!reflected && node.snell.total_reflection()) {
-        return Reason::total_internal_reflection;
-    }
-    if (node.branch.level >= settings_.max_depth) {
-        return Reason::max_depth;
-    }
-    if (largest_component(weight) < world_.min_weight) {
-        return Reason::low_intensity;
-    }
-    if (rays_ >= settings_.ray_budget) {
-        return Reason::ray_budget;
-    }
-    return std::nullopt;
+    return false;
 }
 
-/// Follows a branch and adds its share to the hit's intensity, or says why not.
+/// Follows a branch and adds its share to the hit's intensity; else false, and `why_not` says why.
 template <class T, class Recorder, Facts facts>
-std::optional<Reason> Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind) {
+bool Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind, Reason& why_not) {
     const bool reflected = kind == RayKind::reflected;
     if (reflected ? !facts.reflective : !facts.transmissive) {
-        const Reason never = reflected ? Reason::not_reflective : Reason::not_transmissive;
-        recorder_.skip_branch(node.handle, kind, never);
-        return never;
+        why_not = reflected ? Reason::not_reflective : Reason::not_transmissive;
+        recorder_.skip_branch(node.handle, kind, why_not);
+        return false;
     }
     const Rgb<T>& k = reflected ? node.kr : node.kt;
     const Rgb<T> weight = node.attenuation * (k * node.branch.weight);
     finite_ = finite_ && isfinite(weight);
-    const auto reason = why_not(node, kind, weight);
-    if (reason) {
-        recorder_.skip_branch(node.handle, kind, *reason);
-        return reason;
+    if (!may_grow(node, kind, weight, why_not)) {
+        recorder_.skip_branch(node.handle, kind, why_not);
+        return false;
     }
     const Vec3<T>& d = node.branch.query.ray.direction;
     const UnitVec3<T> direction = reflected ? reflected_direction(d, node.normal)
@@ -454,7 +461,7 @@ std::optional<Reason> Tracer<T, Recorder, facts>::grow(Node& node, RayKind kind)
     }
     const Result result = trace(next, node.handle);
     node.end.intensity += result.attenuation * (k * result.intensity);
-    return std::nullopt;
+    return true;
 }
 
 }  // namespace raytree

@@ -161,8 +161,9 @@ EightBit eight_bit(const Rgb<double>& intensity, Quantize quantize) {
         const double raw = channels(intensity)[c];
         const double scaled = 255 * std::clamp(raw, 0.0, 1.0);
         const int floor = static_cast<int>(scaled);
-        const bool up = quantize == Quantize::round && scaled - floor >= 0.5;
-        result.value[c] = floor + (up ? 1 : 0);
+        // Not `&&`: the half is as likely as not, and a picture asks for it three times a pixel.
+        const bool up = (quantize == Quantize::round) & (scaled - floor >= 0.5);
+        result.value[c] = floor + static_cast<int>(up);
         result.clamped[c] = raw < 0 || raw > 1;
     }
     return result;
