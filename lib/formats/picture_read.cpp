@@ -139,7 +139,12 @@ ReadPicture of_pfm(std::string_view bytes, const std::string& file, Size size) {
     const std::size_t channels = header.word() == "PF" ? 3 : 1;
     const int width = header.number<int>("the width");
     expect_size({width, header.number<int>("the height")}, size, file);
-    const bool little = header.number<double>("the scale") < 0;
+    const auto scale = header.number<double>("the scale");
+    if (!(std::abs(scale) > 0)) {
+        throw InputError(file, "",
+                         "must have a scale other than 0: its sign tells the order of the bytes");
+    }
+    const bool little = scale < 0;
     const std::string_view rest = header.rest();
     const auto columns = static_cast<std::size_t>(size.first);
     const auto rows = static_cast<std::size_t>(size.second);

@@ -145,6 +145,8 @@ TEST_CASE("pictures that are none are refused") {
         encode_png(quantized(render(World<double>(scene)), Quantize::round).image);
     std::string nan = encode_pfm(render(World<double>(scene)));
     nan.replace(nan.size() - 4, 4, std::string("\x00\x00\xC0\x7F", 4));
+    std::string no_scale = encode_pfm(render(World<double>(scene)));
+    no_scale.replace(no_scale.find("-1.0"), 4, "0.00");
     Scene other = scene;
     other.camera.width = 57;
     CHECK(judged(other, png).verdict == check::Verdict::unreadable);
@@ -152,7 +154,7 @@ TEST_CASE("pictures that are none are refused") {
          {std::string(), std::string("GIF89a"), png.substr(0, 100), png.substr(0, 20),
           std::string("P6\n56 42\n255\nabc"), std::string("P6\n56 42\n65535\n"),
           std::string("P3\n56 42\n255\n1 2 x"), std::string("PF\n56 42\n-1\n"),
-          std::string("P6\n999999999999 1\n255\n"), nan}) {
+          std::string("P6\n999999999999 1\n255\n"), nan, no_scale}) {
         const check::Report report = judged(scene, bytes);
         CHECK(report.verdict == check::Verdict::unreadable);
         CHECK(report.findings.size() == 1);
