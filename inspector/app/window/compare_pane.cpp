@@ -179,8 +179,10 @@ void ComparePane::fit_rows() {
     for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
         QTreeWidgetItem* const item = lines_->topLevelItem(k);
         const QRect room(0, 0, std::max(width, 60), 10'000);
+        // The item's font says only what is not the list's: its size may have come since.
+        const QFont font = item->font(1).resolve(lines_->font());
         const QRect words =
-            QFontMetrics(item->font(1)).boundingRect(room, Qt::TextWordWrap, item->text(1));
+            QFontMetrics(font, lines_).boundingRect(room, Qt::TextWordWrap, item->text(1));
         item->setSizeHint(1, {0, words.height() + 6});
     }
 }
