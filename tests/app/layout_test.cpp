@@ -4,9 +4,11 @@
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QTextBlock>
+#include <QTextLayout>
 #include <QTextTable>
 #include <QToolBar>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "app/cut_words.h"
 #include "app/scenes.h"
@@ -79,6 +81,33 @@ class LayoutTest : public test::ShownWindow {
         run_command(state_, "change.reset");
     }
 
+    /// Each difference is as high as its words are, laid out line by line, in a narrow list too.
+    void check_differences() {
+        const auto lists = window_->findChildren<QTreeWidget*>();
+        const auto list = std::find_if(lists.begin(), lists.end(), [](const QTreeWidget* one) {
+            return one->accessibleName() == QStringLiteral("Differences");
+        });
+        QVERIFY(list != lists.end());
+        QVERIFY((*list)->topLevelItemCount() > 3);
+        (*list)->setMaximumWidth(150);
+        QTest::qWait(50);
+        for (int k = 0; k < (*list)->topLevelItemCount(); ++k) {
+            const QTreeWidgetItem* const item = (*list)->topLevelItem(k);
+            QFont font = (*list)->font();
+            font.setBold(item->font(1).bold());
+            QTextLayout words(item->text(1), font);
+            words.beginLayout();
+            qreal height = 0;
+            for (QTextLine line = words.createLine(); line.isValid(); line = words.createLine()) {
+                line.setLineWidth((*list)->columnWidth(1) - 6);  // less a cell's margins
+                height += line.height();
+            }
+            words.endLayout();
+            QVERIFY2((*list)->visualItemRect(item).height() >= height, qPrintable(item->text(1)));
+        }
+        (*list)->setMaximumWidth(QWIDGETSIZE_MAX);
+    }
+
   private Q_SLOTS:
     void initTestCase() {
         show_window();
@@ -113,6 +142,7 @@ class LayoutTest : public test::ShownWindow {
         state_.show_side(SidePane::compare);
         QTest::qWait(50);
         check_outline();
+        check_differences();
         run_command(state_, "compare.end");
         state_.pick({40, 30});
         QTRY_VERIFY(state_.tree());

@@ -1,5 +1,6 @@
 #include "window/compare_pane.h"
 
+#include <QAbstractItemDelegate>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -52,6 +53,7 @@ ComparePane::ComparePane(State& state, std::function<void(const std::string&)> r
     layout->addWidget(legend_);
     layout->addStretch(0);
     lines_->viewport()->installEventFilter(this);
+    lines_->installEventFilter(this);
     connect(lines_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item && !following_) {
             state_.select(item->data(0, Qt::UserRole).toULongLong());
@@ -110,8 +112,11 @@ void ComparePane::obey(const Changes& changes) {
 }
 
 bool ComparePane::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) {
-        fit_rows();
+    // The theme's font comes with the polish, when the lines may be there already.
+    for (const QEvent::Type type : {QEvent::Resize, QEvent::Polish, QEvent::FontChange}) {
+        if (event->type() == type) {
+            fit_rows();
+        }
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -153,7 +158,7 @@ void ComparePane::show_lines() {
         item->setData(0, Qt::UserRole, QVariant::fromValue<qulonglong>(line.ray));
         item->setToolTip(0, qt(text_of(line.mark).explained));
         item->setToolTip(1, qt(line.text));
-        QFont font = lines_->font();
+        QFont font;  // the size is left to the list, whose theme may come later
         font.setBold(line.mark == RayMark::different);
         item->setFont(1, font);
         item->setTextAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
@@ -172,18 +177,19 @@ void ComparePane::show_lines() {
     show_selection();
 }
 
-/// Each line is as high as its words need.
+/// Each line is as high as its words need, which the list's delegate knows: it lays them out as it
+/// draws them.
 void ComparePane::fit_rows() {
-    constexpr int margins = 8;  // of a cell
-    const int width = lines_->viewport()->width() - lines_->columnWidth(0) - margins;
+    QStyleOptionViewItem cell;
+    cell.initFrom(lines_);
+    cell.features |= QStyleOptionViewItem::WrapText;
+    const int width = lines_->viewport()->width() - lines_->columnWidth(0);
+    cell.rect = QRect(0, 0, std::max(width, 60), 10'000);
     for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
         QTreeWidgetItem* const item = lines_->topLevelItem(k);
-        const QRect room(0, 0, std::max(width, 60), 10'000);
-        // The item's font says only what is not the list's: its size may have come since.
-        const QFont font = item->font(1).resolve(lines_->font());
-        const QRect words =
-            QFontMetrics(font, lines_).boundingRect(room, Qt::TextWordWrap, item->text(1));
-        item->setSizeHint(1, {0, words.height() + 6});
+        item->setSizeHint(1, QSize());  // else the delegate says what it was told before
+        const QModelIndex index = lines_->model()->index(k, 1);
+        item->setSizeHint(1, {0, lines_->itemDelegate()->sizeHint(cell, index).height() + 6});
     }
 }
 
