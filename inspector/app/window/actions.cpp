@@ -50,6 +50,14 @@ QString with_own_key(QString title, QString& taken) {
 
 }  // namespace
 
+QString hint_of(const Command& command) {
+    const QList<QKeySequence> keys = keys_of(command);
+    return keys.isEmpty()
+               ? qt(command.help)
+               : qt(command.help) +
+                     QStringLiteral("  (%1)").arg(keys.front().toString(QKeySequence::NativeText));
+}
+
 Actions::Actions(State& state, QMainWindow* window, AskFile ask_file,
                  std::function<void(const InputError&)> fail)
     : QObject(window), state_(state), ask_file_(std::move(ask_file)), fail_(std::move(fail)) {
@@ -72,11 +80,7 @@ QAction* Actions::make(const Command& command) {
     if (!keys.isEmpty() && is_shared_key(keys.front())) {
         action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     }
-    QString hint = qt(command.help);
-    if (!keys.isEmpty()) {
-        hint += QStringLiteral("  (%1)").arg(keys.front().toString(QKeySequence::NativeText));
-    }
-    action->setToolTip(hint);
+    action->setToolTip(hint_of(command));
     action->setCheckable(command.on != nullptr);
     if (!command.toolbar.empty()) {
         action->setIconText(qt(command.toolbar));

@@ -18,6 +18,9 @@ namespace raytree::inspector {
 
 class Files;
 
+/// What a button says of its command: what it does, and its first key.
+QString hint_of(const Command& command);
+
 /// The table of commands as Qt's actions: in menus, in the toolbar, on keys.
 class Actions : public QObject {
     Q_OBJECT

@@ -11,6 +11,7 @@
 
 #include "state/commands.h"
 #include "state/contrast_lines.h"
+#include "window/actions.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -66,11 +67,7 @@ ComparePane::ComparePane(State& state, std::function<void(const std::string&)> r
 QPushButton* ComparePane::make_button(const std::string& command, const QString& title) {
     const Command& one = *find_command(command);
     auto* const button = new QPushButton(title);
-    QString hint = qt(one.help);
-    if (!one.keys.empty()) {
-        hint += QStringLiteral("  (%1)").arg(qt(one.keys));
-    }
-    button->setToolTip(hint);
+    button->setToolTip(hint_of(one));
     connect(button, &QPushButton::clicked, this, [this, command] { run_(command); });
     commands_.emplace_back(button, command);
     return button;
@@ -112,11 +109,13 @@ void ComparePane::obey(const Changes& changes) {
 }
 
 bool ComparePane::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    const bool other_room = watched == lines_->viewport() && type == QEvent::Resize;
     // The theme's font comes with the polish, when the lines may be there already.
-    for (const QEvent::Type type : {QEvent::Resize, QEvent::Polish, QEvent::FontChange}) {
-        if (event->type() == type) {
-            fit_rows();
-        }
+    const bool other_font =
+        watched == lines_ && (type == QEvent::Polish || type == QEvent::FontChange);
+    if (other_room || other_font) {
+        fit_rows();
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -34,6 +34,15 @@ QString table_of(const ExplainedSection& section, const Palette& palette) {
         return {};
     }
     const QString dim = qt(palette.dim_text).name();
+    std::size_t columns = section.header.size();
+    for (const ExplainedSection::Row& row : section.rows) {
+        columns = std::max(columns, row.cells.size());
+    }
+    QStringList sides;
+    for (std::size_t k = 0; k < columns; ++k) {
+        sides << (is_column_of_numbers(section, k) ? QStringLiteral("right")
+                                                   : QStringLiteral("left"));
+    }
     QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
     const auto row = [&](const std::vector<std::string>& cells, const QString& style,
                          const char* anchor = "") {
@@ -41,8 +50,7 @@ QString table_of(const ExplainedSection& section, const Palette& palette) {
         for (std::size_t k = 0; k < cells.size(); ++k) {
             constexpr std::size_t long_words = 34;
             html += QStringLiteral("<td align='%1' style='padding-right:16px; %2%3'>%4</td>")
-                        .arg(is_column_of_numbers(section, k) ? QStringLiteral("right")
-                                                              : QStringLiteral("left"),
+                        .arg(sides[static_cast<int>(k)],
                              cells[k].size() > long_words ? QString()
                                                           : QStringLiteral("white-space:nowrap; "),
                              style, QLatin1String(anchor) + qt(cells[k]).toHtmlEscaped());

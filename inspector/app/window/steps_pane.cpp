@@ -13,6 +13,7 @@
 
 #include "state/commands.h"
 #include "state/palette.h"
+#include "window/actions.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {
@@ -92,8 +93,7 @@ QToolButton* StepsPane::button(const char* command, int icon) {
     const Command& of = *find_command(command);
     made->setProperty("sign", icon);
     made->setAccessibleName(qt(of.title));
-    made->setToolTip(qt(of.help) +
-                     QStringLiteral("  (%1)").arg(qt(of.keys.substr(0, of.keys.find(' ', 1)))));
+    made->setToolTip(hint_of(of));
     connect(made, &QToolButton::clicked, this, [this, command] { run(command); });
     return made;
 }
