@@ -61,3 +61,10 @@ function(raytree_layer name)
     FILES_MATCHING PATTERN "*.h")
   target_link_libraries(raytree_${name} ${scope} raytree_options ${arg_DEPENDS} ${arg_LIBRARIES})
 endfunction()
+
+# raytree_alone(FILE...)
+# Files with names of their own that others use for something else: never compiled as one with them
+# (CMAKE_UNITY_BUILD).
+function(raytree_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
