@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/input_error.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 
 namespace raytree {

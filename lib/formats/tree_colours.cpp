@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 
 namespace raytree {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/svg.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 
 namespace raytree {

@@ -5,6 +5,7 @@
 
 #include "formats/styled_text.h"
 #include "formats/sum_text.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 
 namespace raytree {

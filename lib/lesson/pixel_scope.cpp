@@ -6,6 +6,7 @@
 #include "lesson/features.h"
 #include "lesson/stage.h"
 #include "scene/plan.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 #include "tree/tree_cast.h"

@@ -155,20 +155,6 @@ std::string angle_text(double cosine) {
 
 std::array<double, 3> channels(const Rgb<double>& c) { return {c.r, c.g, c.b}; }
 
-EightBit eight_bit(const Rgb<double>& intensity, Quantize quantize) {
-    EightBit result;
-    for (std::size_t c = 0; c < 3; ++c) {
-        const double raw = channels(intensity)[c];
-        const double scaled = 255 * std::clamp(raw, 0.0, 1.0);
-        const int floor = static_cast<int>(scaled);
-        // Not `&&`: the half is as likely as not, and a picture asks for it three times a pixel.
-        const bool up = (quantize == Quantize::round) & (scaled - floor >= 0.5);
-        result.value[c] = floor + static_cast<int>(up);
-        result.clamped[c] = raw < 0 || raw > 1;
-    }
-    return result;
-}
-
 std::vector<std::vector<std::size_t>> children_of(const RayTree<double>& tree) {
     std::vector<std::vector<std::size_t>> children(tree.rays.size());
     for (const TreeRay<double>& ray : tree.rays) {

@@ -31,13 +31,6 @@ std::string angle_text(double cosine);
 inline constexpr std::array<const char*, 3> channel_names = {"red", "green", "blue"};
 std::array<double, 3> channels(const Rgb<double>& c);
 
-/// A pixel's 8-bit value; `clamped` says for each channel whether it was outside 0 to 1.
-struct EightBit {
-    std::array<int, 3> value{};
-    std::array<bool, 3> clamped{};
-};
-EightBit eight_bit(const Rgb<double>& intensity, Quantize quantize);
-
 /// The children of every ray, in the order of the tree.
 std::vector<std::vector<std::size_t>> children_of(const RayTree<double>& tree);
 

@@ -1,4 +1,5 @@
 #include "tree/explain.h"
+#include "tree/eight_bit.h"
 
 #include <doctest/doctest.h>
 

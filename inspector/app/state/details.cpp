@@ -4,6 +4,7 @@
 #include <map>
 
 #include "state/numbers.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 
 namespace raytree::inspector {

@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "trace/tracer.h"
-#include "tree/explain.h"
+#include "tree/eight_bit.h"
 
 namespace raytree::inspector {
 namespace {

@@ -15,7 +15,7 @@
 #include "state/marked_texts.h"
 #include "state/numbers.h"
 #include "state/thing_details.h"
-#include "tree/explain.h"
+#include "tree/eight_bit.h"
 #include "window/qt_text.h"
 #include "window/rich_text.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "formats/tree_colours.h"
-#include "tree/explain.h"
+#include "tree/eight_bit.h"
 #include "window/qt_text.h"
 
 namespace raytree::inspector {

@@ -5,6 +5,7 @@
 #include "formats/tree_diagram.h"
 #include "state/marked_texts.h"
 #include "state/numbers.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 #include "window/icons.h"
 #include "window/qt_text.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tree/explain.h"
+#include "tree/eight_bit.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
