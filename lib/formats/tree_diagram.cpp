@@ -179,13 +179,18 @@ class DiagramMaker {
         return box;
     }
 
-    Box folded_box(const Ray& ray, std::size_t parent) const {
-        std::size_t end = ray.id + 1;  // what hangs from a ray comes right after it
-        while (end < tree_.rays.size() && tree_.rays[end].parent >= ray.id) {
-            ++end;
+    /// How many rays a branch has, its first one included.
+    std::size_t rays_of(std::size_t branch) const {
+        std::size_t count = 1;
+        for (const std::size_t child : children_[branch]) {
+            count += rays_of(child);
         }
+        return count;
+    }
+
+    Box folded_box(const Ray& ray, std::size_t parent) const {
         Box box;
-        box.folded = end - ray.id;
+        box.folded = rays_of(ray.id);
         box.parent = parent;
         box.ray = &ray;
         box.branch = ray.kind;

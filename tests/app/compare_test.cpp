@@ -9,6 +9,7 @@
 #include "formats/tree_json.h"
 #include "state/commands.h"
 #include "state/contrast_lines.h"
+#include "state/diagram_looks.h"
 #include "state/marked_texts.h"
 #include "state/recent.h"
 #include "tree/record.h"
@@ -103,6 +104,38 @@ TEST_CASE("app: a ray that is missing in a recorded tree stands where it should 
     test::run_and_wait(state, "compare.swap");
     CHECK(state.tree()->grafted == 0);
     CHECK(state.tree()->mark(gone.id) == RayMark::missing);
+}
+
+TEST_CASE("app: a folded branch counts the rays that are missing in it, and says so") {
+    const Scene scene = test::glass_ball_scene();
+    Scene flatter = scene;
+    flatter.settings.max_depth = 3;
+    RayTree<double> theirs = true_tree(flatter);
+    theirs.settings = scene.settings;
+    const TreeFile file(theirs, nullptr);
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    const PixelTree& tree = *state.tree();
+    REQUIRE(tree.grafted > 0);
+    const Diagram diagram = diagram_of(tree.tree, 0.99);
+    const auto looks = box_looks(diagram, tree, std::nullopt);
+    std::size_t rays = 0, hides_some = 0;
+    for (std::size_t k = 0; k < diagram.boxes.size(); ++k) {
+        const DiagramBox& box = diagram.boxes[k];
+        if (box.folded == 0) {
+            rays +=
+                box.absent ? 0 : 1 + std::ranges::count_if(box.lights, [](const LightRow& light) {
+                                     return light.ray.has_value();
+                                 });
+            CHECK(looks[k].inside == RayMark::none);
+        } else {
+            rays += box.folded;
+            hides_some += looks[k].mark != RayMark::missing && looks[k].inside == RayMark::missing;
+        }
+    }
+    CHECK(rays == tree.tree.rays.size());
+    CHECK(hides_some > 0);
 }
 
 TEST_CASE("app: a ray too many is extra") {

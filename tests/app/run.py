@@ -164,6 +164,15 @@ def shown(folder, scene, theme, *lines, size="1280x800"):
     return Picture(file)
 
 
+def check_pictures_by_script(folder):
+    """What a script writes of the window is as complete as a screenshot."""
+    file = folder / "exported.png"
+    last = shown(folder, "glass-ball", "light", "overlay.levels", f"export.window {file}")
+    picture = Picture(file)
+    part = slice(picture.width // 4), slice(picture.height // 10, picture.height * 40 // 100)
+    check("export in a script", picture.part(*part) == last.part(*part), "is not complete")
+
+
 def check_menu_by_script(folder):
     """A script goes on after a command that opens a menu."""
     shown(folder, "glass-ball", "light", "table.columns", "ray.child", size="900x640")
@@ -249,6 +258,7 @@ def main():
         check_screenshot(folder, "glass-ball", "dark", "1920x1080")
         check_script(folder)
         check_selection_after_tab(folder)
+        check_pictures_by_script(folder)
         check_menu_by_script(folder)
         check_diagram(folder)
         check_views(folder)

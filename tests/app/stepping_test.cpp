@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "app/scenes.h"
 #include "state/commands.h"
 #include "state/diagram_looks.h"
@@ -110,6 +112,34 @@ TEST_CASE("app: an intensity that is not known yet is not shown anywhere") {
     test::run_and_wait(state, "step.last");
     CHECK(marked_texts_of(tree, {0, std::nullopt, 0, 0}, state.playback()).intensity != "…");
     CHECK(known_details(tree, 0, state.playback()).front().title == "Intensity");
+}
+
+TEST_CASE("app: while stepping, details say of a ray what has happened to it and no more") {
+    State state = stepping_state();
+    const auto tree = state.tree();
+    const std::set<std::string> of_intensity = {"weight·f·I", "= intensity"};
+    const std::set<std::string> of_hit = {"f of t", "t", "point", "object"};
+    std::size_t sent = 0, found = 0;
+    for (std::size_t k = 0; k < state.playback()->stops(); ++k) {
+        state.go_to_stop(k);
+        for (const TreeRay<double>& ray : tree->tree.rays) {
+            const Stage stage = state.playback()->stage(ray.id);
+            if (stage != Stage::sent && stage != Stage::found) {
+                continue;
+            }
+            sent += stage == Stage::sent;
+            found += stage == Stage::found;
+            CHECK(is_found(state.playback(), ray.id) == (stage == Stage::found));
+            for (const DetailSection& section : known_details(*tree, ray.id, state.playback())) {
+                for (const DetailRow& row : section.rows) {
+                    CHECK_FALSE(of_intensity.contains(row.label));
+                    CHECK_FALSE((stage == Stage::sent && of_hit.contains(row.label)));
+                }
+            }
+        }
+    }
+    CHECK(sent > 0);
+    CHECK(found > 0);
 }
 
 TEST_CASE("app: the call stack says what each open call waits for and what has come in") {

@@ -19,6 +19,40 @@ bool has_happened(const Playback& playback, const DiagramBox& box) {
                       : playback.stage(box.ray->id) != Stage::unsent;
 }
 
+/// A cause says more than what follows from it, and that more than that all is the same.
+int weight_of(RayMark mark) {
+    switch (mark) {
+        case RayMark::none:
+        case RayMark::same:
+            return 0;
+        case RayMark::cut:
+            return 1;
+        case RayMark::follows:
+            return 2;
+        case RayMark::missing:
+        case RayMark::extra:
+            return 3;
+        case RayMark::different:
+            return 4;
+    }
+    return 0;
+}
+
+/// The weightiest mark of a branch's rays.
+RayMark mark_inside(const PixelTree& tree, std::size_t branch) {
+    RayMark most = tree.mark(branch);
+    std::vector<std::size_t> stack{branch};
+    while (!stack.empty()) {
+        const std::size_t ray = stack.back();
+        stack.pop_back();
+        if (weight_of(tree.mark(ray)) > weight_of(most)) {
+            most = tree.mark(ray);
+        }
+        stack.insert(stack.end(), tree.children[ray].begin(), tree.children[ray].end());
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<BoxLook> box_looks(const Diagram& diagram, const PixelTree& tree,
@@ -34,6 +68,8 @@ std::vector<BoxLook> box_looks(const Diagram& diagram, const PixelTree& tree,
         }
         if (!box.absent) {
             look.mark = tree.mark(box.ray->id);
+            look.inside =
+                box.folded > 0 && tree.contrast ? mark_inside(tree, box.ray->id) : RayMark::none;
             look.graft = !tree.is_own(box.ray->id);
         }
         for (const LightRow& light : box.lights) {

@@ -15,6 +15,7 @@ struct BoxLook {
     bool pending = false;  ///< its ray's intensity is not known yet
     bool graft = false;    ///< of the tree that is compared with
     RayMark mark = RayMark::none;
+    RayMark inside = RayMark::none;  ///< of a folded branch: what says most of its rays
     std::vector<bool> hidden_lights;
     std::vector<RayMark> light_marks;
 };

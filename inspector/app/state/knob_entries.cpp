@@ -97,7 +97,7 @@ class Entries {
     void add_material(std::size_t index) {
         const Material& m = scene_.materials[index];
         base_ = place_of_material(index);
-        colour("/color", "color", "The surface's own colour", m.color);
+        colour("/color", "colour", "The surface's own colour", m.color);
         colour("/ka", "ka", "Share of the ambient light", m.ka);
         colour("/kd", "kd", "Share of each light, diffuse", m.kd);
         colour("/ks", "ks", "Share of each light, in the highlight", m.ks);

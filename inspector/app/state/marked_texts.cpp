@@ -27,6 +27,22 @@ void veil(OutlineTexts& texts, Stage stage) {
     }
 }
 
+/// The same of details: what is met, and with which intensity.
+void veil(DetailSection& section, Stage stage) {
+    static constexpr std::array<std::string_view, 6> of_intensity = {
+        "ambient", "diffuse", "specular", "intensity", "weight·f·I", "termination"};
+    static constexpr std::array<std::string_view, 7> at_once = {
+        "its name", "origin", "direction", "weight", "light", "level", "sent from"};
+    const auto is_in = [](const auto& names, const DetailRow& row) {
+        return std::ranges::find(names, row.label) != names.end();
+    };
+    std::erase_if(section.rows, [&](const DetailRow& row) {
+        const bool is_heading = row.label.empty();
+        return (stage != Stage::evaluated && is_in(of_intensity, row)) ||
+               (stage == Stage::sent && !is_heading && !is_in(at_once, row));
+    });
+}
+
 /// Takes out what a file does not give.
 void blank(OutlineTexts& texts, const PixelTree& tree, std::size_t ray) {
     const auto gives = [&](Field field) { return tree.recorded->gives(ray, field); };
@@ -99,13 +115,14 @@ std::vector<DetailSection> known_details(const PixelTree& tree, std::size_t ray,
         }
         sections.push_back(std::move(waiting));
     }
-    if (tree.contrast) {
+    if (tree.contrast && (stage == Stage::evaluated || graft)) {
         for (DetailSection& section : contrast_details(tree, ray)) {
             sections.push_back(std::move(section));
         }
     }
     if (tree.recorded && !graft) {
         sections.push_back(recorded_details(tree, ray));
+        veil(sections.back(), stage);
         return sections;
     }
     static constexpr std::array<std::string_view, 3> known_at_once = {"Ray", "Share of the pixel",
@@ -119,6 +136,9 @@ std::vector<DetailSection> known_details(const PixelTree& tree, std::size_t ray,
         if (graft || stage == Stage::evaluated ||
             (stage == Stage::found && !last && !shadow_pending) ||
             (stage == Stage::sent && at_once && !shadow_pending)) {
+            if (!graft) {
+                veil(section, stage);
+            }
             sections.push_back(std::move(section));
         }
     }
@@ -128,9 +148,13 @@ std::vector<DetailSection> known_details(const PixelTree& tree, std::size_t ray,
     return sections;
 }
 
-bool can_derive(const PixelTree& tree, std::size_t ray, const std::optional<Playback>& playback) {
+bool is_found(const std::optional<Playback>& playback, std::size_t ray) {
     const Stage stage = stage_of(playback, ray);
-    return tree.is_own(ray) && !tree.recorded && stage != Stage::unsent && stage != Stage::sent;
+    return stage != Stage::unsent && stage != Stage::sent;
+}
+
+bool can_derive(const PixelTree& tree, std::size_t ray, const std::optional<Playback>& playback) {
+    return tree.is_own(ray) && !tree.recorded && is_found(playback, ray);
 }
 
 }  // namespace raytree::inspector

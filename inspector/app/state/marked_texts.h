@@ -24,6 +24,9 @@ std::string marked_title_of(const PixelTree& tree, std::size_t ray);
 std::vector<DetailSection> known_details(const PixelTree& tree, std::size_t ray,
                                          const std::optional<Playback>& playback);
 
+/// Whether it is known by now what the ray meets.
+bool is_found(const std::optional<Playback>& playback, std::size_t ray);
+
 /// Whether everything is known of a ray that was traced here, so that it can be worked out anew.
 bool can_derive(const PixelTree& tree, std::size_t ray, const std::optional<Playback>& playback);
 

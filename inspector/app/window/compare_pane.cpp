@@ -163,14 +163,19 @@ void ComparePane::show_lines() {
         item->setTextAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
     }
     QString remarks;
+    if (contrast->lines.size() > most_lines) {
+        remarks = QStringLiteral("Listed are the first %1 of %2 differences.")
+                      .arg(most_lines)
+                      .arg(contrast->lines.size());
+    }
     for (const std::string& remark : contrast->remarks) {
         remarks += (remarks.isEmpty() ? QString() : QStringLiteral("\n")) + qt(remark);
     }
     remarks_->setText(remarks);
     remarks_->setVisible(!remarks.isEmpty());
     legend_->setText(
-        QStringLiteral("≠ differs, and here is why   ~ follows from another   − missing: only in "
-                       "the reference   + extra: not in it"));
+        QStringLiteral("≠\u00a0differs, and here is why   ~\u00a0follows from another   "
+                       "−\u00a0missing: only in the reference   +\u00a0extra: not in it"));
     following_ = false;
     fit_rows();
     show_selection();

@@ -223,7 +223,14 @@ void DiagramDrawing::draw_ray(const Box& box, const QRectF& frame) {
 /// Of a ray that was not sent, and of a folded branch.
 void DiagramDrawing::draw_words(const Box& box, const QRectF& frame) {
     QRectF line(frame.left(), frame.top() + Sizes::margin - 2, frame.width(), Sizes::line);
-    write(line, qt(box.title), {palette_.dim_text}, Qt::AlignHCenter);
+    // What is folded away may be what is looked for.
+    const RayMark inside = look(box).inside;
+    if (inside == RayMark::none || inside == RayMark::same) {
+        write(line, qt(box.title), {palette_.dim_text}, Qt::AlignHCenter);
+    } else {
+        write(line, qt(box.title) + QStringLiteral("  ") + qt(text_of(inside).sign),
+              {palette_.text, true}, Qt::AlignHCenter);
+    }
     for (const std::string& text : box.lines) {
         line.translate(0, Sizes::line);
         write(line, qt(text), {palette_.dim_text, false, true}, Qt::AlignHCenter);

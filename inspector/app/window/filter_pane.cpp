@@ -121,10 +121,21 @@ void FilterPane::renew() {
             }
         }
     }
-    const auto place = std::ranges::find(weights, filter.least_weight) - weights;
-    weight_->setCurrentIndex(std::min(static_cast<int>(place), weight_->count() - 1));
+    show_weight(filter.least_weight);
     lighter_->setCurrentIndex(filter.lighter == Shown::dimmed ? 0 : 1);
     renewing_ = false;
+}
+
+/// A share that is none of the usual ones, such as a script's, is one more to choose.
+void FilterPane::show_weight(double weight) {
+    int place = weight_->findData(weight);
+    if (place < 0) {
+        for (place = 0; place < weight_->count() && weight_->itemData(place).toDouble() < weight;) {
+            ++place;
+        }
+        weight_->insertItem(place, QStringLiteral("less than ") + qt(number_text(weight)), weight);
+    }
+    weight_->setCurrentIndex(place);
 }
 
 void FilterPane::add(QTreeWidget* list, const CountedGroup& counted) {

@@ -29,6 +29,7 @@ class FilterPane : public QWidget {
   private:
     QWidget* make_weights();
     void renew();
+    void show_weight(double weight);
     void add(QTreeWidget* list, const CountedGroup& group);
     void take_click(QTreeWidgetItem* item);
 

@@ -121,6 +121,9 @@ int run_window(int& argc, char** argv, State& state, FirstReading reading,
     }
     QApplication::processEvents();  // the panes take their sizes
     for (const std::string& line : options.script) {
+        if (line.starts_with("export.")) {  // a picture of the window is one of all of it
+            wait_until_drawn(state, window);
+        }
         run_line(state, line);
         wait_for_tree(state);
     }

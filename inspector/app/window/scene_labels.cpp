@@ -91,7 +91,9 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
         return labels;
     }
     const Scene& scene = state.document()->scene();
-    const TreeRay<double>* const ray = state.selected();
+    const TreeRay<double>* const selected = state.selected();
+    const TreeRay<double>* const ray =
+        selected && is_found(state.playback(), selected->id) ? selected : nullptr;
     if (state.thing() && state.thing()->kind == Thing::Kind::object) {
         const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
         labels.push_back({at, qt(name_of(scene, *state.thing())), true});

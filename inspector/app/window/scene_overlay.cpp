@@ -95,10 +95,15 @@ SceneOverlay::Layout SceneOverlay::layout(const QFontMetricsF& metrics, int widt
         widest = std::max(widest, x + wide);
         x += wide + between;
     }
-    for (const QString& note : notes_) {
-        widest = std::max(widest, std::min(room, metrics.horizontalAdvance(note)));
+    for (int k = 0; k < notes_.size(); ++k) {
+        const double wide = metrics.horizontalAdvance(notes_[k]);
+        const bool beside = k == 0 && x > 0 && x + wide <= room;
+        out.notes.push_back(beside ? QPointF(x, y)
+                                   : QPointF(0, all.empty() && k == 0 ? 0 : y + out.line));
+        y = out.notes.back().y();
+        widest = std::max(widest, std::min(room, out.notes.back().x() + wide));
     }
-    const double rows = (all.empty() ? 0 : y + out.line) + out.line * notes_.size();
+    const double rows = all.empty() && notes_.isEmpty() ? 0 : y + out.line;
     out.size = rows > 0 ? QSizeF(widest + 2 * pad, rows + pad) : QSizeF(0, 0);
     return out;
 }
@@ -110,7 +115,7 @@ int SceneOverlay::foot(int width) const {
 
 QRectF SceneOverlay::draw_legend(QPainter& painter) const {
     const Palette& palette = palette_of(state_.look().theme);
-    const auto [places, size, line] = layout(QFontMetricsF(painter.font()), width());
+    const auto [places, notes, size, line] = layout(QFontMetricsF(painter.font()), width());
     if (size.isEmpty()) {
         return {};
     }
@@ -123,9 +128,15 @@ QRectF SceneOverlay::draw_legend(QPainter& painter) const {
         const QPointF at = box.topLeft() + places[k] + QPointF(pad, pad / 2.0);
         draw_entry(painter, all[k], {at, QSizeF(400, line)});
     }
-    const double below = line * notes_.size();
-    draw_notes(painter, QRectF(box.left() + pad, box.bottom() - pad / 2.0 - below,
-                               box.width() - 2 * pad, below));
+    const QFontMetricsF metrics(painter.font());
+    painter.setPen(qt(palette.text));
+    for (int k = 0; k < notes_.size(); ++k) {
+        const QPointF at =
+            box.topLeft() + notes[static_cast<std::size_t>(k)] + QPointF(pad, pad / 2.0);
+        const double room = box.right() - pad - at.x();
+        painter.drawText(QRectF(at, QSizeF(room, line)), Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(notes_[k], Qt::ElideRight, room + 1));
+    }
     return box;
 }
 
@@ -146,17 +157,6 @@ void SceneOverlay::draw_entry(QPainter& painter, const Entry& entry, const QRect
     painter.setPen(qt(palette.text));
     painter.drawText(place.adjusted(sign_width + gap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      entry.text);
-}
-
-void SceneOverlay::draw_notes(QPainter& painter, QRectF lines) const {
-    const QFontMetricsF metrics(painter.font());
-    const double line = notes_.isEmpty() ? 0 : lines.height() / notes_.size();
-    painter.setPen(qt(palette_of(state_.look().theme).text));
-    for (int k = 0; k < notes_.size(); ++k) {
-        painter.drawText(QRectF(lines.left(), lines.top() + k * line, lines.width(), line),
-                         Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(notes_[k], Qt::ElideRight, lines.width()));
-    }
 }
 
 void SceneOverlay::draw_labels(QPainter& painter, QRectF legend_box) const {

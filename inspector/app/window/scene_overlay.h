@@ -38,6 +38,7 @@ class SceneOverlay : public QWidget {
     };
     struct Layout {
         std::vector<QPointF> places;  ///< of the entries, from the box's top left corner
+        std::vector<QPointF> notes;   ///< the first beside the last entry where it has room
         QSizeF size;
         double line = 0;  ///< the height of one
     };
@@ -45,7 +46,6 @@ class SceneOverlay : public QWidget {
     Layout layout(const QFontMetricsF& metrics, int width) const;
     QRectF draw_legend(QPainter& painter) const;
     void draw_entry(QPainter& painter, const Entry& entry, const QRectF& place) const;
-    void draw_notes(QPainter& painter, QRectF lines) const;
     void draw_leader(QPainter& painter, QPointF from, const QRectF& box) const;
     void draw_label(QPainter& painter, const SceneLabel& label, const QRectF& place) const;
     void draw_labels(QPainter& painter, QRectF legend) const;
