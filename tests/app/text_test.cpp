@@ -5,6 +5,7 @@
 #include "state/numbers.h"
 #include "state/outline.h"
 #include "state/picture.h"
+#include "tree/eight_bit.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 
