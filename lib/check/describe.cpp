@@ -171,11 +171,13 @@ Hints hints(const Finding& finding, const Report& report) {
         hints.where = "Look at what ray " + harmless(report.ids[finding.ray]) + " sends.";
         hints.quantity = "It should send a " + a_ray(finding.kind) + '.';
         hints.formula =
-            "A branch is grown where its coefficient is not 0, unless the depth, the "
-            "weight or total reflection ends it.";
+            finding.kind == RayKind::shadow
+                ? "A shadow ray is due where the light is in front of a surface that it can light."
+                : "A branch is grown where its coefficient is not 0, unless the depth, the "
+                  "weight or total reflection ends it.";
     } else if (finding.problem == Problem::extra) {
         hints.quantity = "Should this ray be sent at all?";
-        hints.formula = "It should not: " + harmless(finding.reason) + '.';
+        hints.formula = "No ray is due here: " + harmless(finding.reason) + '.';
     } else {
         const FieldText& text = text_of(finding.field);
         hints.quantity = "Its " + std::string(text.name) + " does not follow from its own inputs.";

@@ -101,7 +101,8 @@ void Cards::describe(Card& card, std::size_t ray) const {
     for (const Finding* finding : findings_[ray]) {
         if (finding->problem == Problem::extra) {
             card.lines.push_back(
-                {fitted_text(harmless(finding->reason), font, widest_text), State::extra});
+                {fitted_text("too many: " + harmless(finding->reason), font, widest_text),
+                 State::extra});
             continue;
         }
         const State state = finding->follows_from ? State::follows : State::differs;

@@ -45,7 +45,8 @@ class Graph {
                                   (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
         text_ =
             "digraph raytree {\n"
-            "  graph [labelloc=t, ordering=out, nodesep=0.25, ranksep=0.5, label=" +
+            "  graph [fontname=\"DejaVu Sans\", labelloc=t, ordering=out, nodesep=0.25, "
+            "ranksep=0.5, label=" +
             label({title}) +
             "]\n"
             "  node [shape=box, style=rounded, fontname=\"DejaVu Sans\", fontsize=10]\n"

@@ -28,6 +28,11 @@ const RayColours& look_of(LightRow::State state) {
                                                : absent_look;
 }
 
+/// Every digit of a count, as long as it has them.
+std::string whole_text(double count) {
+    return count < 1e15 ? std::to_string(static_cast<long long>(count)) : number_text(count);
+}
+
 std::string at(double x, double y) { return svg_number(x) + " " + svg_number(y); }
 
 class Drawing {
@@ -74,7 +79,7 @@ class Drawing {
                                    std::to_string(n.refracted) + " refracted, " +
                                    std::to_string(n.shadow) + " shadow";
         const std::string bound =
-            n.full_tree > 0 ? "; a full tree has " + number_text(n.full_tree) : "";
+            n.full_tree > 0 ? "; a full tree has " + whole_text(n.full_tree) : "";
         svg_.text(centre, 42, counts + bound, {Sizes::font, faint_ink, false, false, "middle"});
     }
 

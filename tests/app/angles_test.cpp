@@ -145,6 +145,23 @@ TEST_CASE("app: rays that were not sent from the hit are ghosts with their reaso
     CHECK(drawn(traced(test::glass_ball_scene(), 0, 0), 0).words.empty());
 }
 
+TEST_CASE("app: many lights that were not asked for the same reason are one ghost's words") {
+    Scene scene = test::glass_ball_scene();
+    for (int k = 0; k < 5; ++k) {  // below the floor
+        Light light = scene.lights.front();
+        light.name = "below " + std::to_string(k);
+        PointLight lamp;
+        lamp.position = {0.1 * k, -50, 0};
+        light.kind = lamp;
+        scene.lights.push_back(light);
+    }
+    const Traced t = traced(scene, 40, 55);
+    REQUIRE(t.tree.tree.rays[0].hit->object == "floor");
+    const AngleDrawing drawing = drawn(t, 0);
+    CHECK(says(drawing, "no shadow rays to 5 lights: light behind surface"));
+    CHECK_FALSE(says(drawing, "no shadow ray to below"));
+}
+
 TEST_CASE("app: the angle of a hidden ray is not drawn, and no ghost where all rays were sent") {
     const Traced t = traced(test::glass_ball_scene(), 47, 33);
     const View view = view_of(t);

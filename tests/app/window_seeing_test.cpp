@@ -340,6 +340,39 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY2(count > 500, std::to_string(count).c_str());
     }
 
+    /// Nothing that the view shows is cut off, whatever the image's form, and of a large one
+    /// letters and lines are as large beside it as they are in the view.
+    void an_image_of_any_form_shows_all_of_the_view() {
+        ScenePane& pane = window_->scene_pane();
+        run_command(state_, "show.names");
+        state_.request(Request::fit_tree);
+        const auto inked = [](const QImage& image) {  // of the primary ray's colour, by its extent
+            QRect around;
+            for (int y = 0; y < image.height() * 3 / 4; ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    const QColor at = image.pixelColor(x, y);
+                    if (std::abs(at.red() - 0x2B) < 20 && std::abs(at.green() - 0x34) < 20 &&
+                        std::abs(at.blue() - 0x40) < 20) {
+                        around |= QRect(x, y, 1, 1);
+                    }
+                }
+            }
+            return around;
+        };
+        const QRect first = inked(pane.image(pane.size()));
+        const double width = first.width();
+        QVERIFY(width > 20);
+        const QSize size = pane.size();
+        for (const double wider : {1.0, 0.5}) {
+            const QImage image = pane.image(
+                {static_cast<int>(3 * wider * size.width()), static_cast<int>(3 * size.height())});
+            const QRect now = inked(image);
+            const double times = now.width() / width;
+            QVERIFY2(std::abs(times - 3 * wider) < 0.25 * wider, std::to_string(times).c_str());
+        }
+        run_command(state_, "show.names");
+    }
+
     /// Shapes, once they have stood still, are not drawn again when another ray is chosen.
     void what_is_kept_of_the_3d_view_is_what_a_whole_drawing_shows() {
         ScenePane& pane = window_->scene_pane();

@@ -107,6 +107,12 @@ TEST_CASE("the SVG shows each ray once, in its words") {
     CHECK(contains(svg, "fill=\"#6C5360\""));  // of 0.425, 0.325, 0.375
 }
 
+TEST_CASE("the SVG writes the size of a full tree with every digit") {
+    RayTree<double> tree = test::example_tree();
+    tree.counts.full_tree = 1376235;
+    CHECK(contains(write_tree_svg(tree), "a full tree has 1376235<"));
+}
+
 TEST_CASE("the SVG marks what a swatch cannot show") {
     RayTree<double> tree = test::example_tree();
     CHECK_FALSE(contains(write_tree_svg(tree), "&gt; 1<"));

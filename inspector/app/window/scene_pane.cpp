@@ -2,6 +2,8 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
 #include <iterator>
 #include <new>
 #include <utility>
@@ -16,6 +18,12 @@ namespace raytree::inspector {
 namespace {
 
 const std::vector<std::shared_ptr<const PixelTree>> no_neighbours;
+
+/// The angle that spans so many times the height.
+double opened(double degrees, double times) {
+    return times == 1 ? degrees
+                      : glm::degrees(2 * std::atan(times * std::tan(glm::radians(degrees) / 2)));
+}
 
 }  // namespace
 
@@ -208,21 +216,33 @@ QImage ScenePane::drawn_whole(const SceneFrame& frame) {
     return image_of(drawn, frame.ratio);
 }
 
+/// All that the pane shows, and in a larger image letters and lines as large beside it as there.
 QImage ScenePane::image(QSize size) {
+    size = size.expandedTo({1, 1});
+    const double scale = std::min(static_cast<double>(size.width()) / std::max(1, width()),
+                                  static_cast<double>(size.height()) / std::max(1, height()));
+    const double ratio = std::max(1.0, scale);
     View view = view_;
-    view.width = std::max(1, size.width());
-    view.height = std::max(1, size.height());
-    const Shapes shapes = shapes_for(view);
-    Described described = describe(view, shapes);
+    view.width = static_cast<int>(std::ceil(size.width() / ratio));
+    view.height = static_cast<int>(std::ceil(size.height() / ratio));
+    view.fov_degrees = opened(view_.fov_degrees, view.height * ratio / scale / height());
+    View fine = view;  // as many pixels as the image has
+    fine.width = size.width();
+    fine.height = size.height();
+    Described described = describe(view, shapes_for(fine));
+    described.frame.ratio = ratio;
     QImage image = drawn_whole(described.frame);
     redraw();
     SceneOverlay overlay(state_, nullptr);
     overlay.take_words_of(*overlay_);
     overlay.set_labels(view, std::move(described.labels), std::move(described.lines));
-    overlay.resize(size);
-    QPainter painter(&image);
-    overlay.render(&painter, {}, {}, {});
-    return image;
+    overlay.resize(view.width, view.height);
+    {
+        QPainter painter(&image);
+        overlay.render(&painter, {}, {}, {});
+    }
+    image.setDevicePixelRatio(1);
+    return image.copy(QRect(QPoint(0, 0), size));  // less a part of a pixel of the view
 }
 
 QPixmap ScenePane::grabbed(QWidget& widget) {
