@@ -230,6 +230,16 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY(state_.table().descending);
         run_command(state_, "table.as_tree");
         QCOMPARE(model->rowCount({}), 1);
+        // The title has its room beside the arrow.
+        run_command(state_, "table.column", "weight");
+        run_command(state_, "table.sort", "weight");
+        const int weight = static_cast<int>(Column::weight);
+        const QString title = model->headerData(weight, Qt::Horizontal, Qt::DisplayRole).toString();
+        QVERIFY(title.endsWith(QChar(QChar::Nbsp)));
+        QFont letters = header->font();
+        letters.setBold(true);
+        QVERIFY(QFontMetrics(letters).horizontalAdvance(title) <= header->sectionSize(weight));
+        run_command(state_, "table.first_columns");
     }
 
     void a_number_of_the_details_is_copied_with_all_its_digits() {

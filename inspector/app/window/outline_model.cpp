@@ -217,6 +217,12 @@ QVariant OutlineModel::data(const QModelIndex& index, int role) const {
     }
 }
 
+/// Which column the rays are sorted by is told by an arrow at the right of its title.
+QString OutlineModel::room_for_arrow(int section) const {
+    const bool sorted = state_ && state_->table().sorted_by == static_cast<Column>(section);
+    return sorted ? QString(4, QChar(QChar::Nbsp)) : QString();
+}
+
 QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) {
         return {};
@@ -226,7 +232,7 @@ QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int 
         case Qt::TextAlignmentRole:
             return static_cast<int>(text.number ? Qt::AlignRight : Qt::AlignLeft);
         case Qt::DisplayRole:
-            return qt(text.title);
+            return qt(text.title) + room_for_arrow(section);
         case Qt::ToolTipRole:
             return qt(text.help) +
                    QStringLiteral("; a click sorts, the right button chooses columns");

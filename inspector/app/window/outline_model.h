@@ -34,6 +34,8 @@ class OutlineModel : public QAbstractItemModel {
     int columnCount(const QModelIndex&) const override { return static_cast<int>(column_count); }
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// Blanks beside the title of the column that is sorted by; else empty.
+    QString room_for_arrow(int section) const;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
   private:

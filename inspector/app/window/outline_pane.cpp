@@ -215,7 +215,8 @@ void OutlinePane::contextMenuEvent(QContextMenuEvent* event) {
 int OutlinePane::width_for(Column column) const {
     const QFontMetrics metrics(font());
     const auto of = [&](const char* text) {
-        return metrics.horizontalAdvance(QString::fromUtf8(text)) + 13;
+        return metrics.horizontalAdvance(QString::fromUtf8(text)) + 13 +
+               metrics.horizontalAdvance(model_->room_for_arrow(static_cast<int>(column)));
     };
     switch (column) {
         case Column::intensity:
@@ -231,7 +232,7 @@ int OutlinePane::width_for(Column column) const {
         case Column::side:
             return std::max(of("Level"), of("front"));
         case Column::angle:
-            return of("Angle to n ");
+            return of("Angle to n    ");
         case Column::weight:
             return of("0.000  0.000  0.000 ");
         case Column::eta:
