@@ -51,6 +51,10 @@ SceneFormat format_of(const fs::path& file) {
     if (extension == ".obj") {
         return SceneFormat::obj;
     }
+    std::error_code error;
+    if (fs::is_directory(file, error)) {
+        throw InputError(file.string(), "", "is a folder, not a file");
+    }
     throw InputError(file.string(), "",
                      "the name does not say which scene format it is; it must end in .json, .nff, "
                      ".txt or .obj, or the format must be given");

@@ -119,6 +119,7 @@ def check_answers(folder):
     for name, arguments, word in [
             ("missing file", ["no-such.json"], "no-such.json"),
             ("broken file", [broken], "broken.json"),
+            ("folder", [folder], "is a folder"),
             ("pixel outside", [scene, "--pixel", "640,0"], "640,0"),
             ("pixel misspelt", [scene, "--pixel", "12"], "I,J"),
             ("unknown option", [scene, "--pixle", "1,2"], "--pixle"),
