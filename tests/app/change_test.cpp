@@ -33,7 +33,7 @@ std::string refused(State& state, const std::string& argument) {
 
 /// The message that a file with this value gets.
 std::string file_message(const std::string& settings) {
-    const fs::path file = fs::temp_directory_path() / "raytree-change-test.json";
+    const fs::path file = test::own_path("raytree-change-test.json");
     std::ofstream(file) << R"({"format": "raytree-scene/1.0", "camera": {"eye": [0, 0, 5],
         "look_at": [0, 0, 0], "horizontal_fov_degrees": 50, "width": 4, "height": 4}, "objects": [], "settings": )"
                         << settings << "}";
@@ -239,7 +239,7 @@ TEST_CASE("app: a limit that may be missing takes none") {
 }
 
 TEST_CASE("app: a saved scene is read back with its changes, and is saved from then on") {
-    const fs::path file = fs::temp_directory_path() / "raytree-save-test.json";
+    const fs::path file = test::own_path("raytree-save-test.json");
     State state = glass_ball_state();
     state.change("/materials/glass/ior", "1.7");
     CHECK(state.edits().unsaved());
@@ -254,7 +254,7 @@ TEST_CASE("app: a saved scene is read back with its changes, and is saved from t
 }
 
 TEST_CASE("app: what a format cannot say is said when the scene is saved in it") {
-    const fs::path file = fs::temp_directory_path() / "raytree-save-test.nff";
+    const fs::path file = test::own_path("raytree-save-test.nff");
     State state = glass_ball_state();
     state.change("/settings/max_depth", "3");
     test::run_and_wait(state, "file.save_as", file.string());

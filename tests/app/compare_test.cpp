@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// A tree's file that is gone when the test is over.
 struct TreeFile {
-    fs::path path = fs::temp_directory_path() / "raytree-compare-test.json";
+    fs::path path = test::own_path("raytree-compare-test.json");
     TreeFile(const RayTree<double>& tree, const Scene* scene) {
         std::ofstream(path, std::ios::binary) << write_tree_json(tree, scene);
     }
@@ -203,6 +203,26 @@ TEST_CASE("app: a tree that lies outside of the picture is refused, and nothing 
     CHECK_FALSE(state.comparing());
 }
 
+TEST_CASE("app: numbers that look alike stand below each other, as far as they differ") {
+    State state;
+    state.show(test::opened(test::glass_ball_scene()));
+    state.pick({40, 30});
+    test::run_and_wait(state, "change.set", "/lights/0/intensity 1.00000003, 1, 1");
+    test::run_and_wait(state, "compare.before");
+    REQUIRE(state.tree()->contrast);
+    const auto rows = contrast_details(*state.tree(), 0).front().rows;
+    const auto at = std::ranges::find(rows, "≠ intensity", &DetailRow::label);
+    REQUIRE(rows.end() - at >= 3);
+    CHECK((at + 1)->label == "   here, red");  // the other channels are the same
+    CHECK((at + 2)->label == "   there, red");
+    REQUIRE((at + 1)->cells.size() == 1);
+    CHECK((at + 1)->is_text);
+    CHECK((at + 1)->cells != (at + 2)->cells);
+    CHECK((at + 1)->cells.front().size() < 14);
+    CHECK((at + 1)->values.front() > (at + 2)->values.front());
+    CHECK((rows.end() - at == 3 || (at + 3)->label.starts_with("≠")));
+}
+
 TEST_CASE("app: two pixels: another object that is met is a difference, other numbers are none") {
     State state;
     state.show(test::opened(test::glass_ball_scene()));
@@ -283,7 +303,7 @@ TEST_CASE("app: an exported tree holds the shown one's own rays alone") {
     state.show(test::opened(test::glass_ball_scene()));
     state.pick({40, 30});
     test::run_and_wait(state, "change.set", "/settings/max_depth 2");
-    const fs::path file = fs::temp_directory_path() / "raytree-export-cut-test.json";
+    const fs::path file = test::own_path("raytree-export-cut-test.json");
     test::run_and_wait(state, "export.tree_json", file.string());
     CHECK(read_recorded(file)->tree.rays.size() == state.tree()->own());
     fs::remove(file);

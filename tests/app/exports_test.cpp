@@ -23,7 +23,7 @@ const fs::path glass_ball = fs::path(RAYTREE_DATA_DIR) / "scenes/glass-ball.json
 
 /// A folder that is gone when the test is over.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / "raytree-export-test";
+    fs::path path = test::own_path("raytree-export-test");
     Folder() {
         fs::remove_all(path);
         fs::create_directory(path);

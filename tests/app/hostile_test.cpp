@@ -218,7 +218,7 @@ class HostileTest : public test::ShownWindow {
         }
         const auto tabs = window_->findChildren<QTabBar*>();
         const auto is_current = [&](const QTabBar* bar) {
-            return bar->tabText(0) == QStringLiteral("Ray tree") &&
+            return bar->tabText(1) == QStringLiteral("Diagram") &&
                    bar->currentIndex() == static_cast<int>(state_.tree_pane().tab);
         };
         QVERIFY2(std::any_of(tabs.begin(), tabs.end(), is_current), after);

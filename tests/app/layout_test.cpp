@@ -1,22 +1,30 @@
 // Nothing is cut in the real window, at sizes and with fonts that people have. Needs a display.
 
 #include <QApplication>
+#include <QDialog>
 #include <QHeaderView>
+#include <QLabel>
 #include <QScrollBar>
+#include <QStatusBar>
+#include <QTemporaryDir>
 #include <QTextBlock>
 #include <QTextLayout>
 #include <QTextTable>
 #include <QToolBar>
 #include <QTreeWidget>
 #include <algorithm>
+#include <fstream>
 
 #include "app/cut_words.h"
 #include "app/scenes.h"
 #include "app/shown_window.h"
+#include "formats/tree_json.h"
 #include "lesson/lesson_folder.h"
 #include "state/commands.h"
 #include "state/start_pixel.h"
 #include "window/details_pane.h"
+#include "window/explained_pane.h"
+#include "window/fitting_tabs.h"
 #include "window/outline_pane.h"
 #include "window/side_dock.h"
 #include "window/steps_pane.h"
@@ -64,10 +72,16 @@ class LayoutTest : public test::ShownWindow {
     }
 
     void check_words(const char* where) {
+        QStringList cut;  // what has come last may still be laid out
         QTest::qWait(50);
-        const QStringList cut = test::cut_words(*window_);
-        QVERIFY2(cut.isEmpty(), qPrintable(QLatin1String(where) + QStringLiteral("\n") +
-                                           cut.join(QLatin1Char('\n'))));
+        const bool whole = QTest::qWaitFor(
+            [&] {
+                cut = test::cut_words(*window_);
+                return cut.isEmpty();
+            },
+            3000);
+        QVERIFY2(whole, qPrintable(QLatin1String(where) + QStringLiteral("\n") +
+                                   cut.join(QLatin1Char('\n'))));
     }
 
     /// Of before and after a change that cuts rays away: each difference is written out.
@@ -262,6 +276,119 @@ class LayoutTest : public test::ShownWindow {
             check_words("a pane at the side");
         }
         check_comparison();
+    }
+
+    void the_status_and_the_tabs_fit_into_a_narrow_window_data() {
+        QTest::addColumn<int>("width");
+        QTest::addRow("1280") << 1280;
+        QTest::addRow("900") << 900;
+    }
+
+    /// With large fonts, too, and a pane at the side.
+    void the_status_and_the_tabs_fit_into_a_narrow_window() {
+        QFETCH(int, width);
+        if (!has_usual_font() && width < 1280) {
+            QSKIP("a window of this font is wider");
+        }
+        window_->resize(width, 800);
+        state_.show_side(SidePane::change);
+        state_.pick({40, 30});
+        QTRY_VERIFY(state_.tree());
+        QTest::qWait(50);
+        for (const QLabel* const label : window_->statusBar()->findChildren<QLabel*>()) {
+            QVERIFY2(label->sizeHint().isValid() && !label->text().contains(QStringLiteral("…")),
+                     qPrintable(label->text()));
+            QVERIFY(label->fontMetrics().horizontalAdvance(label->text()) <=
+                    label->contentsRect().width());
+        }
+        const auto* const tabs = window_->findChild<FittingTabs*>();
+        QVERIFY(tabs);
+        QCOMPARE(tabs->count(), 5);
+        for (int k = 0; k < tabs->count(); ++k) {
+            QVERIFY2(tabs->tabRect(k).right() <= tabs->width(), qPrintable(tabs->tabText(k)));
+            QVERIFY2(
+                tabs->fontMetrics().horizontalAdvance(tabs->tabText(k)) <= tabs->tabRect(k).width(),
+                qPrintable(tabs->tabText(k)));
+        }
+        const QString words = tabs->tabText(0) + tabs->tabToolTip(0);
+        QVERIFY2(words.endsWith(QStringLiteral("Ray tree")), qPrintable(words));
+        window_->resize(1280, 800);
+    }
+
+    /// All numbers of a recorded tree beside the true one, in three columns.
+    void no_number_of_a_comparison_needs_scrolling() {
+        if (!has_usual_font()) {
+            QSKIP("with a larger font panes may scroll");
+        }
+        state_.show(open_file(RAYTREE_SCENES "glass-ball.json"));
+        state_.pick({208, 296});
+        QTRY_VERIFY(state_.tree());
+        RayTree<double> theirs = state_.tree()->tree;
+        for (TreeRay<double>& ray : theirs.rays) {
+            ray.intensity = (1 + 4e-5) * ray.intensity;
+            if (ray.hit) {
+                ray.hit->point.x += 1e-4;
+                ray.hit->t *= 100;
+            }
+        }
+        const QTemporaryDir folder;
+        const std::string file = folder.filePath(QStringLiteral("tree.json")).toStdString();
+        std::ofstream(file, std::ios::binary)
+            << write_tree_json(theirs, &state_.document()->scene());
+        run_command(state_, "file.open", file);
+        QTRY_VERIFY(state_.tree() && state_.tree()->recorded);
+        state_.show_side(SidePane::compare);
+        const DetailsPane& details = window_->details_pane();
+        for (const char* const whose : {"as recorded", "raytree's own"}) {
+            for (std::size_t ray = 0; ray < state_.tree()->tree.rays.size(); ++ray) {
+                state_.select(ray);
+                QTest::qWait(1);
+                QVERIFY2(details.horizontalScrollBar()->maximum() == 0,
+                         qPrintable(details.toPlainText()));
+            }
+            run_command(state_, "compare.swap");
+            QTRY_VERIFY2(state_.tree(), whose);
+        }
+        run_command(state_, "compare.end");
+    }
+
+    /// What each command does is written out.
+    void no_line_of_the_cheat_sheet_is_cut() {
+        window_->resize(1280, 800);
+        run_command(state_, "help.keys");
+        const auto* const dialog = window_->findChild<QDialog*>();
+        QVERIFY(dialog);
+        QTest::qWait(100);
+        const QStringList cut = test::cut_words(*dialog);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QLatin1Char('\n'))));
+        delete dialog;
+    }
+
+    /// What stands beside the steps stays beside the one that is looked at.
+    void what_a_step_refers_to_stays_beside_it() {
+        state_.show(open_file(RAYTREE_SCENES "mesh.json"));
+        QTRY_VERIFY(state_.tree());
+        window_->resize(1280, 800);
+        run_command(state_, "explain.boxes");
+        QTRY_VERIFY(!state_.working());
+        for (int k = 0; k < 30; ++k) {
+            run_command(state_, "explain.step_forward");
+        }
+        auto* const pane = window_->findChild<ExplainedPane*>();
+        QVERIFY(pane && pane->isVisible());
+        QTest::qWait(50);
+        QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
+        const auto seen = [&](const char* words) {
+            const QTextCursor found = pane->document()->find(QString::fromUtf8(words));
+            return !found.isNull() && pane->viewport()->rect().contains(pane->cursorRect(found));
+        };
+        QVERIFY(seen("Tests for the selected ray"));
+        pane->verticalScrollBar()->setValue(0);
+        QVERIFY(seen("Tests for the selected ray"));
+        QVERIFY(seen("Through the"));
+        pane->verticalScrollBar()->setValue(pane->verticalScrollBar()->maximum());
+        QVERIFY(seen("production"));
+        run_command(state_, "explain.nothing");
     }
 
     void no_word_of_a_lesson_is_cut() {

@@ -5,12 +5,14 @@
 
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <stdexcept>
 #include <thread>
 
 #include "app/sample_lessons.h"
 #include "app/scenes.h"
+#include "formats/scene_file.h"
 #include "lesson/lesson_folder.h"
 #include "scene/progress.h"
 #include "state/commands.h"
@@ -57,7 +59,7 @@ TEST_CASE("app: what is measured and what is written is handed over, and done wh
     CHECK(state.explained().accuracy.has_value());
     CHECK(handed.said.size() == 2);
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "raytree-long-work-test";
+    const fs::path folder = test::own_path("raytree-long-work-test");
     fs::create_directory(folder);
     const auto file = [&](const char* name) { return (folder / name).string(); };
     run_command(state, "export.tree_json", file("tree.json"));
@@ -111,6 +113,39 @@ TEST_CASE("app: a lesson's step is prepared in the same way, and shown whole") {
     state.open_lesson(lesson, lesson->steps.size());  // then the first
     CHECK(state.lesson()->step() == 0);
     CHECK_FALSE(state.lesson()->page().text.empty());
+}
+
+/// A lesson of one step, which shows a deep tree.
+struct DeepLesson {
+    test::Lessons lessons{"raytree-deep-lessons"};
+
+    DeepLesson() {
+        save_scene(test::deep_scene(), lessons.folder / "01-ball" / "ball.json");
+        std::ofstream(lessons.folder / "01-ball" / "lesson.json") << R"({
+          "format": "raytree-lesson/1.0", "title": "Deep", "topic": "Depth", "minutes": 1,
+          "steps": [{"title": "Deep", "text": ["Many rays."],
+                     "show": {"scene": "ball.json", "pixel": [3, 2], "ray": "2"}}]
+        })";
+    }
+};
+
+TEST_CASE("app: the tree of a lesson's step is waited for beside the window as well") {
+    Handed handed;
+    State& state = handed.state;
+    const DeepLesson deep;
+    run_command(state, "show.bounds");  // takes longer yet
+    state.poll(20s);
+    std::vector<Changes> told;
+    state.observe([&](const Changes& changes) { told.push_back(changes); });
+    state.open_lesson(lesson::load_lesson(deep.lessons.folder, "ball"));
+    CHECK(handed.said.back() == "Tracing the tree of pixel 3,2");
+    REQUIRE(state.tree());
+    CHECK(state.tree()->tree.rays.size() > 20'000);
+    CHECK(state.selected()->id == 2);
+    REQUIRE(told.size() > 1);
+    CHECK(told.front().document);  // what is not there is not shown meanwhile
+    CHECK(told.front().tree);
+    CHECK(told.back().lesson);
 }
 
 TEST_CASE("app: what the newest work throws comes to who takes its answer, once") {

@@ -1,9 +1,9 @@
 #include "app/sample_lessons.h"
 
-#include <unistd.h>
-
 #include <fstream>
 #include <string>
+
+#include "app/scenes.h"
 
 namespace raytree::inspector::test {
 namespace {
@@ -65,9 +65,7 @@ constexpr const char* lesson_text = R"({
 
 }  // namespace
 
-// Of this process alone: two clones may run their tests at the same time.
-Lessons::Lessons(const char* name)
-    : folder(std::filesystem::temp_directory_path() / (name + ('-' + std::to_string(getpid())))) {
+Lessons::Lessons(const char* name) : folder(own_path(name)) {
     for (const char* const lesson : {"01-ball", "02-again"}) {
         std::filesystem::create_directories(folder / lesson);
         std::ofstream(folder / lesson / "ball.json") << scene_text;

@@ -1,5 +1,7 @@
 #include "app/scenes.h"
 
+#include <unistd.h>
+
 #include "state/commands.h"
 #include "support/scenes.h"
 
@@ -7,6 +9,32 @@ namespace raytree::inspector::test {
 
 using raytree::test::add;
 using raytree::test::add_material;
+
+Scene deep_scene() {
+    Scene scene;
+    scene.camera.eye = {0, 0, 9};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.window = HorizontalFov{20};
+    scene.camera.width = scene.camera.height = 9;
+    scene.settings.max_depth = 23;
+    scene.settings.min_weight = 0;
+    Material glass;
+    glass.name = "glass";
+    glass.kr = glass.kt = Colour(0.5);
+    glass.ior = 1.1;
+    Material mirror;
+    mirror.name = "mirror";
+    mirror.kr = Colour(0.5);
+    add_material(scene, glass);
+    add_material(scene, mirror);
+    add(scene, Sphere{{0, 0, 0}, 6}, 0).name = "ball";
+    add(scene, Sphere{{0, 0, 0}, 10}, 1).name = "room";
+    return scene;
+}
+
+std::filesystem::path own_path(const std::string& name) {
+    return std::filesystem::temp_directory_path() / (std::to_string(getpid()) + '-' + name);
+}
 
 Scene glass_ball_scene() {
     Scene scene;

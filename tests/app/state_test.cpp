@@ -24,7 +24,7 @@ const fs::path data = RAYTREE_DATA_DIR;
 struct File {
     fs::path path;
     File(const std::string& name, const std::string& text)
-        : path(fs::temp_directory_path() / ("raytree-app-test-" + name)) {
+        : path(test::own_path("raytree-app-test-" + name)) {
         std::ofstream(path, std::ios::binary) << text;
     }
     ~File() { fs::remove(path); }

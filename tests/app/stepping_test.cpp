@@ -197,6 +197,24 @@ TEST_CASE("app: the pace doubles and halves within bounds") {
     CHECK(state.pace() == 0.25);
 }
 
+TEST_CASE("app: the order may be changed while the tree of another pixel is still to come") {
+    State state;
+    state.show(test::opened(test::deep_scene()));
+    state.pick({0, 0});
+    state.poll(std::chrono::seconds(60));
+    test::run_and_wait(state, "step.last");
+    REQUIRE(state.playback());
+    state.pick({3, 2});
+    state.set_step_order(StepOrder::level_by_level);
+    CHECK(state.step_order() == StepOrder::level_by_level);
+    state.poll(std::chrono::seconds(60));
+    REQUIRE(state.tree());
+    REQUIRE(state.playback());
+    CHECK(state.playback()->stop() == 0);
+    CHECK(state.playback()->stops() ==
+          3 * static_cast<std::size_t>(state.tree()->tree.counts.levels));
+}
+
 TEST_CASE("app: another pixel is stepped through from its beginning, and ending shows all") {
     State state = stepping_state();
     test::run_and_wait(state, "step.last");

@@ -193,7 +193,7 @@ class Builder {
             if (now) {
                 std::visit(
                     [&](const auto& volume) {
-                        add_faces(volume, Paint{ink, 40});
+                        add_faces(volume, Paint{ink, filling(size_of(volume))});
                     },
                     replay.hierarchy.nodes()[step.node].volume);
             }
@@ -203,16 +203,35 @@ class Builder {
         }
     }
 
+    static double size_of(const Box& box) { return glm::length(box.max - box.min); }
+    static double size_of(const BoundingSphere& sphere) { return 2 * sphere.radius; }
+
+    /// How firmly a volume is filled: one around all that is seen would tint the whole view.
+    std::uint8_t filling(double size) const {
+        const double share = std::clamp(size / extent_.diagonal, 0.25, 1.0);
+        return static_cast<std::uint8_t>(share < 1 ? 10 / share : 5);
+    }
+
+    /// Walls fade with the distance from what throws them, and many of them are fainter each: they
+    /// lie over each other, and the scene is to be seen through all.
     void add_volumes(const ShadowVolumes& volumes) {
         const double far = reach * extent_.diagonal;
         const Ink ink = palette_[RayLook::blocked];
+        std::size_t count = 0;
+        for (const ShadowVolume& volume : volumes.volumes) {
+            count += volume.walls.size();
+        }
+        const double many = std::sqrt(std::max(1.0, static_cast<double>(count) / 12));
+        const Paint face{ink, static_cast<std::uint8_t>(std::max(5.0, 34 / many))};
+        const Paint edge{ink, static_cast<std::uint8_t>(std::max(70.0, 170 / many))};
+        const Paint gone{ink, 0};
         for (const ShadowVolume& volume : volumes.volumes) {
             for (const VolumeWall& wall : volume.walls) {
                 const Point3 a = far_corner(volumes, wall.a, far);
                 const Point3 b = far_corner(volumes, wall.b, far);
-                add_quad(out_.faces, wall.a, wall.b, b, a, Paint{ink, 34});
+                add_quad(out_.faces, wall.a, wall.b, b, a, face, gone);
                 out_.lines.add(wall.a, Paint{ink, 220}, wall.b, Paint{ink, 220});
-                out_.lines.add(wall.a, Paint{ink, 170}, a, Paint{ink, 0});
+                out_.lines.add(wall.a, edge, a, gone);
             }
         }
         if (all_.volume_count && state_.selected()) {

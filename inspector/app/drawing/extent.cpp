@@ -42,6 +42,22 @@ template <class T> T quantile(std::vector<T> values, double share) {
     return values[static_cast<std::size_t>(place)];
 }
 
+/// How far what is seen reaches along the line of sight. A floor's far end does not count, things
+/// do that stand far behind others: they lie beyond a gap and take a good part of the picture.
+double reach_of(const Seen& seen) {
+    constexpr double usual = 3;  // times the depth in the middle
+    constexpr double gap = 1.5, part = 0.2;
+    std::vector<double> depths = seen.depths;
+    std::ranges::sort(depths);
+    const double reach = usual * quantile(depths, 0.5);
+    const auto beyond = std::ranges::upper_bound(depths, reach);
+    const auto count = static_cast<double>(depths.end() - beyond);
+    if (count < part * static_cast<double>(depths.size()) || *beyond < gap * *(beyond - 1)) {
+        return reach;
+    }
+    return usual * *(beyond + (depths.end() - beyond) / 2);
+}
+
 /// The box of the points but for a few outliers.
 Span3 bulk_of(const Seen& seen, double farthest) {
     Span3 box;
@@ -109,14 +125,15 @@ Extent extent_of(const Document& document) {
         return extent;
     }
     const double middle = quantile(seen.depths, 0.5), nearest = quantile(seen.depths, 0);
-    extent.seen = bulk_of(seen, 3 * middle);
+    const double reach = reach_of(seen);
+    extent.seen = bulk_of(seen, reach);
     if (!(extent.seen.diagonal() > 0)) {
         extent.seen = extent.seen.grown(0.1 * middle);
     }
     add_shapes(document.world(), extent.seen);
     extent.diagonal = extent.seen.diagonal();
     extent.plane_distance = std::max(std::min(0.34 * middle, 0.7 * nearest), 0.05 * middle);
-    extent.far_distance = std::min(quantile(seen.depths, 0.9), 2 * middle);
+    extent.far_distance = std::min(quantile(seen.depths, 0.9), 2 * reach / 3);
     return extent;
 }
 

@@ -132,11 +132,16 @@ void add_ring(Mesh& mesh, const Point3& centre, const Point3& axis, double inner
 
 void add_quad(Mesh& mesh, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
               const Paint& paint) {
+    add_quad(mesh, a, b, c, d, paint, paint);
+}
+
+void add_quad(Mesh& mesh, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+              const Paint& paint, const Paint& far_paint) {
     const Point3 normal = glm::normalize(glm::cross(c - a, d - b));
     const std::int32_t first = mesh.add_point(a, normal, paint);
     mesh.add_point(b, normal, paint);
-    mesh.add_point(c, normal, paint);
-    mesh.add_point(d, normal, paint);
+    mesh.add_point(c, normal, far_paint);
+    mesh.add_point(d, normal, far_paint);
     mesh.add_triangle(first, first + 1, first + 2);
     mesh.add_triangle(first, first + 2, first + 3);
 }

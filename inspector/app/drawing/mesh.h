@@ -56,6 +56,9 @@ void add_ring(Mesh& mesh, const Point3& centre, const Point3& axis, double inner
 /// A quadrangle whose corners are given in order.
 void add_quad(Mesh& mesh, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
               const Paint& paint);
+/// One that has another colour along the edge from c to d.
+void add_quad(Mesh& mesh, const Point3& a, const Point3& b, const Point3& c, const Point3& d,
+              const Paint& paint, const Paint& far_paint);
 
 /// Two unit vectors that are perpendicular to a unit vector and to each other.
 struct Across {

@@ -1,6 +1,8 @@
 #include "state/contrast_lines.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 
 #include "check/align.h"
@@ -207,7 +209,7 @@ std::string summary_of(const Contrast& contrast) {
 
 namespace {
 
-constexpr int usual_digits = 6, most_digits = 8;
+constexpr int usual_digits = 6, most_digits = 17;
 
 DetailRow words(std::string label, std::string cell) {
     DetailRow row{std::move(label), {std::move(cell)}, DetailRow::Weight::normal, true, {}};
@@ -215,26 +217,72 @@ DetailRow words(std::string label, std::string cell) {
 }
 
 /// Numbers in their columns, to be copied in full.
-DetailRow value_row(std::string label, const check::Value& value, int digits = usual_digits) {
+DetailRow value_row(std::string label, const check::Value& value) {
     if (value.numbers.size == 0) {
         return words(std::move(label), value.none() ? "none" : check::value_text(value));
     }
     const std::span numbers(value.numbers.x.data(), static_cast<std::size_t>(value.numbers.size));
     return {std::move(label),
-            aligned(numbers, digits),
+            aligned(numbers, usual_digits),
             DetailRow::Weight::normal,
             false,
             {},
             {numbers.begin(), numbers.end()}};
 }
 
-/// What a quantity is in both trees, with so many digits that the two are not alike.
+/// What the sum does not notice is shown as 0, as where raytree says what it has summed up.
+bool is_summand(Field field) {
+    return field == Field::ambient || field == Field::diffuse || field == Field::specular;
+}
+
+/// ", red" or ", x"; nothing for a number that stands alone.
+std::string component_name(Field field, int size, std::size_t k) {
+    constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+    const bool in_space = field == Field::origin || field == Field::direction ||
+                          field == Field::point || field == Field::normal;
+    if (size != 3) {  // of two, the refractive indices
+        return size == 1 ? "" : k == 0 ? ", η1" : ", η2";
+    }
+    return std::string(", ") + (in_space ? axes[k] : channel_names[k]);
+}
+
+/// Two numbers that look alike, below each other with so many digits that they do not.
+void add_closely(const std::string& name, double here, double there, std::vector<DetailRow>& rows) {
+    const auto text = [](double value, int digits) {
+        return aligned(std::array{value}, digits).front();
+    };
+    int digits = usual_digits;
+    while (digits < most_digits && text(here, digits) == text(there, digits)) {
+        ++digits;
+    }
+    rows.push_back(words("   here" + name, text(here, digits)));
+    rows.back().values = {here};
+    rows.push_back(words("   there" + name, text(there, digits)));
+    rows.back().values = {there};
+}
+
+/// What a quantity is in both trees. Where the two look alike, the numbers that make the
+/// difference, each on a line: with more digits three do not fit beside each other.
 void add_both(const check::FieldDifference& one, std::vector<DetailRow>& rows) {
-    const bool alike = value_row("", one.first).cells == value_row("", one.second).cells;
-    const int digits = alike ? most_digits : usual_digits;
     rows.push_back(words("≠ " + std::string(check::text_of(one.field).name), ""));
-    rows.push_back(value_row("   here", one.first, digits));
-    rows.push_back(value_row("   there", one.second, digits));
+    const check::Numbers &here = one.first.numbers, &there = one.second.numbers;
+    const DetailRow shown = value_row("   here", one.first);
+    const DetailRow other = value_row("   there", one.second);
+    if (shown.cells != other.cells || here.size == 0 || here.size != there.size) {
+        rows.push_back(shown);
+        rows.push_back(other);
+        return;
+    }
+    constexpr double part = 1e-3;  // of the largest difference: what is less is rounding
+    double largest = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(here.size); ++k) {
+        largest = std::max(largest, std::abs(here.x[k] - there.x[k]));
+    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(here.size); ++k) {
+        if (std::abs(here.x[k] - there.x[k]) >= part * largest) {
+            add_closely(component_name(one.field, here.size, k), here.x[k], there.x[k], rows);
+        }
+    }
 }
 
 }  // namespace
@@ -276,6 +324,8 @@ DetailSection recorded_details(const PixelTree& tree, std::size_t ray) {
     const check::Submission& recorded = *tree.recorded;
     DetailSection section{"As recorded in the file", {}, {}};
     section.rows.push_back(words("its name", recorded.ids[ray]));
+    const TreeRay<double>& one = tree.tree.rays[ray];
+    const std::size_t whole = one.shadow && one.parent ? *one.parent : ray;  // what it is a part of
     std::string absent;
     for (std::size_t k = 0; k < field_count; ++k) {
         const Field field = static_cast<Field>(k);
@@ -283,6 +333,11 @@ DetailSection recorded_details(const PixelTree& tree, std::size_t ray) {
         const std::string name(check::text_of(field).name);
         if (recorded.gives(ray, field) && !value.none()) {
             section.rows.push_back(value_row(name, value));
+            if (is_summand(field) && recorded.gives(whole, Field::intensity)) {
+                const Rgb<double>& sum = tree.tree.rays[whole].intensity;
+                const auto& x = value.numbers.x;
+                section.rows.back().cells = aligned_with(sum, noticed({x[0], x[1], x[2]}, sum));
+            }
         } else if (!recorded.gives(ray, field) && !value.none()) {
             absent += (absent.empty() ? "" : ", ") + name;
         }

@@ -53,6 +53,12 @@ template <class Answer> class NewestWork {
         return std::exchange(answer_, std::nullopt);
     }
 
+    /// Until the answer to what was asked for last can be taken. For one thread at a time.
+    void wait() {
+        std::unique_lock lock(mutex_);
+        answered_.wait(lock, [this] { return answer_ || thrown_; });
+    }
+
   private:
     void run() {
         std::unique_lock lock(mutex_);

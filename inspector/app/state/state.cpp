@@ -149,6 +149,19 @@ std::optional<Changes> State::await_tree() {
     return changes;
 }
 
+/// However long that takes: beside the window, whose views show meanwhile that a tree is to come.
+void State::finish_tree() {
+    if (!tracing_) {
+        return;
+    }
+    if (gathered_) {
+        tell_gathered({.message = true});
+        gathered_.emplace();
+    }
+    do_beside("Tracing the tree of pixel " + text_of(pixel_), [this] { tree_work_->wait(); });
+    poll();
+}
+
 TreeQuestion State::question() const {
     return {coming_ ? coming_->document : document_,
             coming_ ? coming_->values : std::nullopt,
@@ -173,7 +186,7 @@ std::optional<Changes> State::take_tree(std::chrono::milliseconds patience) {
     }
     Changes changes{.tree = true, .selection = true, .message = true};
     tracing_ = false;
-    tree_ = std::move(traced->tree);
+    const auto before = std::exchange(tree_, std::move(traced->tree));
     selected_ = 0;
     if (!traced->failure.empty()) {
         message_ = traced->failure;
@@ -187,7 +200,7 @@ std::optional<Changes> State::take_tree(std::chrono::milliseconds patience) {
             selected_ = *same;
         }
         if (keep_selected_) {
-            take_counterpart(*keep_selected_);
+            take_counterpart(*keep_selected_, before.get());
         }
         if (playback_) {
             begin_playback();
@@ -286,6 +299,23 @@ void State::show_side(SidePane pane) {
         side_pane_ = pane;
         tell({.side_pane = true});
     }
+}
+
+/// What the work changes is one change for the views, and answers no question of a lesson.
+void State::as_one_change(const std::function<void()>& work) {
+    gathered_.emplace();
+    try {
+        work();
+    } catch (...) {  // or no view would be told of anything any more
+        tell_gathered({.message = true});
+        throw;
+    }
+    tell_gathered({.message = true, .lesson = true});
+}
+
+void State::tell_gathered(Changes also) {
+    add(also, std::exchange(gathered_, std::nullopt).value_or(Changes{}));
+    tell(also);
 }
 
 void State::tell(const Changes& changes) {

@@ -168,6 +168,8 @@ class State {
     const Explanation& explanation() const { return explainer_->explanation(); }
 
   private:
+    void as_one_change(const std::function<void()>& work);
+    void tell_gathered(Changes also);
     void stage(const lesson::Show& show);
     void step_up_to(std::size_t last);
     void prepare_lesson_step(std::size_t step);
@@ -191,10 +193,11 @@ class State {
     Changes trace();
     void trace_again();
     std::optional<Changes> await_tree();
+    void finish_tree();
     std::optional<Changes> take_tree(std::chrono::milliseconds patience);
     void take_coming(std::shared_ptr<const Document> document, Changes& changes);
     TreeQuestion question() const;
-    void take_counterpart(std::size_t before);
+    void take_counterpart(std::size_t ray, const PixelTree* before);
     void say_whose();
     void install(Coming coming);
     void begin_playback();
@@ -230,9 +233,9 @@ class State {
     std::unique_ptr<LessonRun> lesson_;
     LessonSide lesson_side_ = LessonSide::hidden;
     std::filesystem::path lesson_folder_;
-    bool staging_ = false;             ///< the views are being set as a step wants them
-    std::optional<Changes> gathered_;  ///< then: what they are told of once all are set
-    std::optional<double> tried_;      ///< instead of the step's own value
+    /// While the views are set as a step wants them: what they are told of once all are.
+    std::optional<Changes> gathered_;
+    std::optional<double> tried_;  ///< instead of the step's own value
     Explained explained_;
     std::unique_ptr<Explainer> explainer_ = std::make_unique<Explainer>();
     Beside beside_;

@@ -13,16 +13,21 @@ std::string maker_of(const check::Submission& recorded) {
 
 }  // namespace
 
-/// Selects the ray that corresponds to one of the tree before, which is the other one now.
-void State::take_counterpart(std::size_t before) {
+/// Selects the ray that corresponds to one of the tree before, which is the other one now; where
+/// that is not laid over this one, a ray of the same kind in the same place.
+void State::take_counterpart(std::size_t ray, const PixelTree* before) {
     keep_selected_.reset();
     if (!tree_->contrast) {
+        const auto& rays = tree_->tree.rays;
+        if (before && ray < rays.size() && rays[ray].kind == before->tree.rays[ray].kind) {
+            selected_ = ray;
+        }
         return;
     }
     const auto& counterparts = tree_->contrast->counterparts;
-    for (std::size_t ray = 0; ray < counterparts.size(); ++ray) {
-        if (counterparts[ray] == before) {
-            selected_ = ray;
+    for (std::size_t here = 0; here < counterparts.size(); ++here) {
+        if (counterparts[here] == ray) {
+            selected_ = here;
             return;
         }
     }

@@ -8,8 +8,6 @@ namespace {
 using lesson::AskKind;
 using lesson::NamedView;
 
-constexpr std::chrono::seconds patience(20);  // for the tree of a lesson's pixel
-
 Request request_of(NamedView view) {
     switch (view) {
         case NamedView::camera:
@@ -107,22 +105,14 @@ void State::show_lesson_view() {
         return;
     }
     const lesson::Show& show = lesson_->here().show;
-    staging_ = true;
-    gathered_.emplace();
     tried_.reset();
-    try {
-        stage(show);
-    } catch (const InputError& error) {
-        message_ = error.what();
-    } catch (...) {  // or no view would be told of anything any more
-        staging_ = false;
-        gathered_.reset();
-        throw;
-    }
-    staging_ = false;
-    Changes all = *std::exchange(gathered_, std::nullopt);
-    all.message = all.lesson = true;
-    tell(all);
+    as_one_change([&] {
+        try {
+            stage(show);
+        } catch (const InputError& error) {
+            message_ = error.what();
+        }
+    });
 }
 
 /// What is measured is what the step's text says of it.
@@ -151,13 +141,13 @@ void State::stage(const lesson::Show& show) {
     const auto document = lesson_->document();
     const Pixel pixel{show.pixel.i, show.pixel.j};
     explained_ = {};  // what the step before showed is not worked out for this one
-    if (document_ != document) {
+    if (document_ != document || coming_) {
         this->show({.document = document, .pixel = pixel, .notes = {}});
         own_file_.reset();  // it is the lesson's: changes of it are saved elsewhere
     } else {
         pick(pixel);
     }
-    poll(patience);
+    finish_tree();
     if (show.stepped && tree_) {
         step_up_to(static_cast<std::size_t>(*show.stepped));
     } else {
@@ -206,10 +196,7 @@ void State::tell_answer() {
         return;
     }
     lesson_->tell();
-    staging_ = true;  // to show it is no answer
-    show_answer(lesson_->right_answer());
-    staging_ = false;
-    tell({.lesson = true});
+    as_one_change([&] { show_answer(lesson_->right_answer()); });
 }
 
 /// What a click or the slider would do.
@@ -247,15 +234,8 @@ double State::value_tried() const { return tried_.value_or(lesson_->value_shown(
 
 /// Another document in the place of this one, seen in the same way: the same ray stays selected.
 void State::exchange(std::shared_ptr<const Document> document) {
-    const std::size_t ray = selected_;
-    const auto before = tree_;
     edits_.begin(values_of(document->scene()));
     install({std::move(document), std::nullopt, nullptr, true});
-    poll(patience);
-    if (before && tree_ && ray < tree_->tree.rays.size() &&
-        tree_->tree.rays[ray].kind == before->tree.rays[ray].kind) {
-        select(ray);
-    }
 }
 
 void State::explain(const std::function<void(Explained&)>& change) {
@@ -264,7 +244,7 @@ void State::explain(const std::function<void(Explained&)>& change) {
 }
 
 void State::answer_by_pixel() {
-    const bool asked = lesson_ && !staging_ && lesson_->here().ask &&
+    const bool asked = lesson_ && !gathered_ && lesson_->here().ask &&
                        lesson_->here().ask->kind == AskKind::pixel &&
                        document_ == lesson_->document();
     if (asked) {
@@ -273,7 +253,8 @@ void State::answer_by_pixel() {
 }
 
 void State::answer_by_ray() {
-    if (!lesson_ || staging_ || !lesson_->here().ask || lesson_->here().ask->kind != AskKind::ray) {
+    if (!lesson_ || gathered_ || !lesson_->here().ask ||
+        lesson_->here().ask->kind != AskKind::ray) {
         return;
     }
     const lesson::Pixel asked = lesson_->here().show.pixel;

@@ -6,11 +6,11 @@
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QLineEdit>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "window/qt_text.h"
+#include "window/wrapped_list.h"
 
 namespace raytree::inspector {
 namespace {
@@ -92,7 +92,8 @@ void show_cheat_sheet(const State& state, QWidget* parent,
     auto* const dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(QStringLiteral("Keys and commands"));
-    auto* const list = new QTreeWidget(dialog);
+    // What a command does is read to its end in a narrow window too.
+    auto* const list = new WrappedList(help_column, dialog);
     auto* const search = new SearchLine(list, dialog);
     search->setPlaceholderText(QStringLiteral("Search; Return runs the command that is marked"));
     search->setAccessibleName(QStringLiteral("Search"));
@@ -100,13 +101,12 @@ void show_cheat_sheet(const State& state, QWidget* parent,
     list->setAccessibleName(QStringLiteral("Commands"));
     list->setHeaderLabels({QStringLiteral("Command"), QStringLiteral("Key"), QStringLiteral("Menu"),
                            QStringLiteral("What it does")});
-    list->setRootIsDecorated(false);
-    list->setWordWrap(true);  // what a command does is read to its end in a narrow window too
     list->setFocusPolicy(Qt::NoFocus);  // whatever is typed is searched for
     fill(list, state);
     for (const int column : {title_column, key_column, menu_column}) {
         list->resizeColumnToContents(column);
     }
+    list->fit_rows();
     const QFontMetrics metrics = dialog->fontMetrics();
     dialog->resize(std::min(metrics.averageCharWidth() * 150, parent->width() * 9 / 10),
                    std::min(metrics.height() * 38, parent->height() * 9 / 10));

@@ -1,18 +1,16 @@
 #include "window/compare_pane.h"
 
-#include <QAbstractItemDelegate>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "state/commands.h"
 #include "state/contrast_lines.h"
 #include "window/actions.h"
 #include "window/qt_text.h"
+#include "window/wrapped_list.h"
 
 namespace raytree::inspector {
 namespace {
@@ -35,14 +33,10 @@ ComparePane::ComparePane(State& state, std::function<void(const std::string&)> r
     remarks_ = words();
     legend_ = words();
     legend_->setObjectName(QStringLiteral("aside"));
-    lines_ = new QTreeWidget;
+    lines_ = new WrappedList(1);
     lines_->setAccessibleName(QStringLiteral("Differences"));
     lines_->setHeaderLabels({QString(), QStringLiteral("Differences, causes first")});
-    lines_->setRootIsDecorated(false);
-    lines_->setWordWrap(true);
-    lines_->setTextElideMode(Qt::ElideNone);
     lines_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    lines_->header()->setStretchLastSection(true);
     auto* const layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(names_);
@@ -53,8 +47,6 @@ ComparePane::ComparePane(State& state, std::function<void(const std::string&)> r
     layout->addWidget(remarks_);
     layout->addWidget(legend_);
     layout->addStretch(0);
-    lines_->viewport()->installEventFilter(this);
-    lines_->installEventFilter(this);
     connect(lines_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item && !following_) {
             state_.select(item->data(0, Qt::UserRole).toULongLong());
@@ -94,13 +86,15 @@ QWidget* ComparePane::make_buttons() {
     return box;
 }
 
+QTreeWidget* ComparePane::lines() const { return lines_; }
+
 QString ComparePane::summary() const { return summary_->text(); }
 
 void ComparePane::obey(const Changes& changes) {
-    if (changes.tree || changes.look || changes.side_pane) {
+    other_lines_ |= changes.tree || changes.look || changes.side_pane;
+    if (isVisible() && other_lines_) {
         show_lines();
-    }
-    if (changes.selection && !changes.tree) {
+    } else if (isVisible() && changes.selection) {
         show_selection();
     }
     for (const auto& [button, command] : commands_) {
@@ -108,16 +102,13 @@ void ComparePane::obey(const Changes& changes) {
     }
 }
 
-bool ComparePane::eventFilter(QObject* watched, QEvent* event) {
-    const QEvent::Type type = event->type();
-    const bool other_room = watched == lines_->viewport() && type == QEvent::Resize;
-    // The theme's font comes with the polish, when the lines may be there already.
-    const bool other_font =
-        watched == lines_ && (type == QEvent::Polish || type == QEvent::FontChange);
-    if (other_room || other_font) {
-        fit_rows();
+void ComparePane::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (other_lines_) {
+        show_lines();
+    } else {
+        show_selection();
     }
-    return QWidget::eventFilter(watched, event);
 }
 
 void ComparePane::show_nothing() {
@@ -132,6 +123,7 @@ void ComparePane::show_nothing() {
 
 void ComparePane::show_lines() {
     following_ = true;
+    other_lines_ = false;
     lines_->clear();
     const auto& tree = state_.tree();
     const Contrast* const contrast = tree && state_.comparing() ? tree->contrast.get() : nullptr;
@@ -177,24 +169,8 @@ void ComparePane::show_lines() {
         QStringLiteral("≠\u00a0differs, and here is why   ~\u00a0follows from another   "
                        "−\u00a0missing: only in the reference   +\u00a0extra: not in it"));
     following_ = false;
-    fit_rows();
+    lines_->fit_rows();
     show_selection();
-}
-
-/// Each line is as high as its words need, which the list's delegate knows: it lays them out as it
-/// draws them.
-void ComparePane::fit_rows() {
-    QStyleOptionViewItem cell;
-    cell.initFrom(lines_);
-    cell.features |= QStyleOptionViewItem::WrapText;
-    const int width = lines_->viewport()->width() - lines_->columnWidth(0);
-    cell.rect = QRect(0, 0, std::max(width, 60), 10'000);
-    for (int k = 0; k < lines_->topLevelItemCount(); ++k) {
-        QTreeWidgetItem* const item = lines_->topLevelItem(k);
-        item->setSizeHint(1, QSize());  // else the delegate says what it was told before
-        const QModelIndex index = lines_->model()->index(k, 1);
-        item->setSizeHint(1, {0, lines_->itemDelegate()->sizeHint(cell, index).height() + 6});
-    }
 }
 
 void ComparePane::show_selection() {

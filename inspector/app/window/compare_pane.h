@@ -15,6 +15,8 @@ class QTreeWidget;
 
 namespace raytree::inspector {
 
+class WrappedList;
+
 /// What is different in two trees, where it begins first.
 class ComparePane : public QWidget {
   public:
@@ -22,11 +24,11 @@ class ComparePane : public QWidget {
     ComparePane(State& state, std::function<void(const std::string& command)> run,
                 QWidget* parent = nullptr);
 
-    QTreeWidget* lines() const { return lines_; }
+    QTreeWidget* lines() const;
     QString summary() const;
 
   protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
   private:
     QWidget* make_ways();
@@ -36,15 +38,15 @@ class ComparePane : public QWidget {
     void show_lines();
     void show_nothing();
     void show_selection();
-    void fit_rows();
 
     State& state_;
     std::function<void(const std::string&)> run_;
     QLabel *names_ = nullptr, *summary_ = nullptr, *remarks_ = nullptr, *legend_ = nullptr;
     QWidget *ways_ = nullptr, *buttons_ = nullptr;
     std::vector<std::pair<QPushButton*, std::string>> commands_;  ///< of each button
-    QTreeWidget* lines_ = nullptr;
-    bool following_ = false;
+    WrappedList* lines_ = nullptr;
+    bool following_ = false;    ///< while the selection is taken over from the state
+    bool other_lines_ = false;  ///< since the pane was last seen
 };
 
 }  // namespace raytree::inspector

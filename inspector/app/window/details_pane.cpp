@@ -39,7 +39,7 @@ QString unbroken(const std::string& sentence) {
 
 /// Names that are longer than a column is wide may go on below.
 QString breakable(QString name) {
-    constexpr int room = 14;  // letters
+    constexpr int room = 11;  // letters
     return name.size() <= room ? name : name.replace(QLatin1Char('_'), QStringLiteral("_&#8203;"));
 }
 

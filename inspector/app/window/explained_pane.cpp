@@ -1,7 +1,10 @@
 #include "window/explained_pane.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QTextBlock>
+#include <QTextTable>
 #include <algorithm>
 #include <cmath>
 
@@ -117,6 +120,7 @@ ExplainedPane::ExplainedPane(State& state, QWidget* parent) : QTextBrowser(paren
     document()->setDocumentMargin(10);
     connect(this, &QTextBrowser::anchorClicked, this,
             [this](const QUrl& to) { run_command(state_, to.path().toStdString()); });
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &ExplainedPane::bring_along);
     state_.observe([this](const Changes& changes) {
         if (isVisible() && (changes.explained || changes.tree || changes.selection ||
                             changes.document || changes.look)) {
@@ -155,6 +159,35 @@ void ExplainedPane::renew() {
     }
     if (state_.explained().traversal) {
         scrollToAnchor(QStringLiteral("now"));
+    }
+}
+
+/// Sections that stand beside the longest one go along with it: what a step refers to stays beside
+/// the step.
+void ExplainedPane::bring_along(int scrolled) {
+    const auto frames = document()->rootFrame()->childFrames();
+    auto* const table = qobject_cast<QTextTable*>(frames.value(0));
+    if (!table || table->columns() < 2) {
+        return;
+    }
+    const auto* const layout = document()->documentLayout();
+    const qreal all = layout->frameBoundingRect(table).height();
+    for (int column = 0; column < table->columns(); ++column) {
+        QTextTableCell cell = table->cellAt(0, column);
+        QTextTableCellFormat format = cell.format().toTableCellFormat();
+        qreal top = all, bottom = 0;
+        for (QTextBlock block = cell.firstCursorPosition().block();
+             block.isValid() && block.position() <= cell.lastPosition(); block = block.next()) {
+            const QRectF place = layout->blockBoundingRect(block);
+            top = std::min(top, place.top());
+            bottom = std::max(bottom, place.bottom());
+        }
+        const qreal room = std::max(0.0, all - (bottom - top) - format.bottomPadding());
+        const qreal padding = std::min<qreal>(scrolled, room);
+        if (format.topPadding() != padding) {
+            format.setTopPadding(padding);
+            cell.setFormat(format);
+        }
     }
 }
 

@@ -20,6 +20,7 @@ class ExplainedPane : public QTextBrowser {
 
   private:
     void renew();
+    void bring_along(int scrolled);
     QString html_of(const std::vector<ExplainedSection>& sections, bool below);
     QImage picture_of(ExplainedSection::Picture picture) const;
 

@@ -22,6 +22,7 @@
 #include "window/exporter.h"
 #include "window/files.h"
 #include "window/filter_pane.h"
+#include "window/fitting_label.h"
 #include "window/lesson_pane.h"
 #include "window/outline_pane.h"
 #include "window/panel_frame.h"
@@ -44,7 +45,7 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state), theme_(state
     colour_message();
     picture_dock_ = add_dock(QStringLiteral("Picture"), make_picture_box(), Qt::LeftDockWidgetArea);
     details_ = new DetailsPane(state_);
-    details_->setMinimumWidth(47 * fontMetrics().averageCharWidth());  // three columns of numbers
+    details_->setMinimumWidth(49 * fontMetrics().averageCharWidth());  // three columns of numbers
     details_dock_ = add_dock(QStringLiteral("Selected ray"), details_, Qt::LeftDockWidgetArea);
     add_tree_dock();
     add_lesson_dock();
@@ -53,12 +54,14 @@ MainWindow::MainWindow(State& state) : state_(state), feed_(state), theme_(state
         [this](const InputError& error) { report(error); }, this);
     addDockWidget(Qt::RightDockWidgetArea, side_);
 
-    pixel_ = new QLabel;
-    counts_ = new QLabel;
+    pixel_ = new FittingLabel;
+    counts_ = new FittingLabel;
+    counts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // has what is left
+    counts_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     pixel_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     counts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     statusBar()->addWidget(pixel_);
-    statusBar()->addPermanentWidget(counts_);
+    statusBar()->addPermanentWidget(counts_, 1);
     statusBar()->setSizeGripEnabled(false);
 
     actions_ = new Actions(
@@ -163,32 +166,23 @@ void MainWindow::show_status() {
                    QStringLiteral("[*] — raytree inspector"));
     if (state_.tree()) {
         const bool pending = state_.playback() && state_.playback()->stage(0) != Stage::evaluated;
-        pixel_->setText(pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
-                                      QStringLiteral("   … not known yet")
-                                : qt(pixel_text(state_.tree()->tree)));
-        show_counts();
+        pixel_->set_texts({pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
+                                         QStringLiteral("   … not known yet")
+                                   : qt(pixel_text(state_.tree()->tree))});
+        // The formula of the full tree first makes room, then the rays by kind.
+        const QString all = qt(counts_text(state_.tree()->tree));
+        counts_->set_texts(
+            {all, all.section(QStringLiteral("   ·"), 0, 0), all.section(QLatin1Char(':'), 0, 0)});
     } else {
-        pixel_->setText(QStringLiteral("Pixel ") + qt(text_of(state_.pixel())));
-        counts_->clear();
+        pixel_->set_texts({QStringLiteral("Pixel ") + qt(text_of(state_.pixel()))});
+        counts_->set_texts({});
     }
-}
-
-/// The formula of the full tree where there is room for it; where there is not, as a tooltip.
-void MainWindow::show_counts() {
-    if (!state_.tree()) {
-        return;
-    }
-    const QString all = qt(counts_text(state_.tree()->tree));
-    constexpr int around = 40;  // the labels
-    const bool fits = counts_->fontMetrics().horizontalAdvance(all) + around <=
-                      width() - pixel_->sizeHint().width();
-    counts_->setText(fits ? all : all.section(QStringLiteral("   ·"), 0, 0));
-    counts_->setToolTip(all);
 }
 
 void MainWindow::show_hovered(std::optional<Pixel> pixel) {
     if (!pixel) {
-        hovered_->setText(QStringLiteral("click chooses a pixel, the wheel zooms"));
+        hovered_->set_texts({QStringLiteral("click chooses a pixel, the wheel zooms"),
+                             QStringLiteral("click: pixel, wheel: zoom")});
         return;
     }
     QString text = qt(text_of(*pixel));
@@ -198,7 +192,7 @@ void MainWindow::show_hovered(std::optional<Pixel> pixel) {
         text += QStringLiteral("   ") +
                 qt(value_text(*intensity, state_.document()->scene().settings.quantize));
     }
-    hovered_->setText(text);
+    hovered_->set_texts({text, text.simplified()});
 }
 
 QString MainWindow::ask_file(const QString& title) {

@@ -14,6 +14,7 @@ namespace raytree::inspector {
 class Actions;
 class CountsPane;
 class FilterPane;
+class FittingLabel;
 class DetailsPane;
 class DiagramPane;
 class Files;
@@ -66,7 +67,6 @@ class MainWindow : public QMainWindow {
     void show_tab();
     void obey(const Changes& changes);
     void show_status();
-    void show_counts();
     void show_hovered(std::optional<Pixel> pixel);
     QString ask_file(const QString& title);
     void report(const InputError& error);
@@ -95,7 +95,8 @@ class MainWindow : public QMainWindow {
     bool teaches_by_diagram_ = false;  ///< whether a lesson's step is about the whole of it
     QTimer message_due_;               ///< runs out when work takes long enough to say so
     QTimer working_;                   ///< runs while a tree or an explanation is to come
-    QLabel *message_ = nullptr, *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
+    QLabel* message_ = nullptr;
+    FittingLabel *hovered_ = nullptr, *pixel_ = nullptr, *counts_ = nullptr;
 };
 
 }  // namespace raytree::inspector

@@ -5,6 +5,7 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "state/commands.h"
@@ -14,6 +15,8 @@
 #include "window/diagram_pane.h"
 #include "window/explained_pane.h"
 #include "window/filter_pane.h"
+#include "window/fitting_label.h"
+#include "window/fitting_tabs.h"
 #include "window/lesson_pane.h"
 #include "window/main_window.h"
 #include "window/outline_pane.h"
@@ -48,23 +51,23 @@ void MainWindow::add_tree_dock() {
     filter_ = new FilterPane(state_);
     counts_pane_ = new CountsPane(state_);
     tree_panes_ = new QStackedWidget;
-    tabs_ = new QTabBar;
+    auto* const tabs = new FittingTabs;
     auto* const filter_area = new QScrollArea;  // where the window is narrow, it scrolls
     filter_area->setFrameShape(QFrame::NoFrame);
     filter_area->setWidgetResizable(true);
     filter_area->setWidget(filter_);
     filter_area->setFocusProxy(filter_);
-    const std::pair<const char*, QWidget*> panes[] = {{"Ray tree", outline_},
-                                                      {"Diagram", diagram_},
-                                                      {"Counts", counts_pane_},
-                                                      {"Rays shown", filter_area},
-                                                      {"Explained", new ExplainedPane(state_)}};
-    for (const auto& [title, pane] : panes) {
-        tabs_->addTab(QString::fromUtf8(title));
+    const std::tuple<const char*, const char*, QWidget*> panes[] = {
+        {"Ray tree", "Tree", outline_},
+        {"Diagram", "Diagram", diagram_},
+        {"Counts", "Counts", counts_pane_},
+        {"Rays shown", "Shown", filter_area},
+        {"Explained", "Why", new ExplainedPane(state_)}};
+    for (const auto& [title, brief, pane] : panes) {
+        tabs->add(QString::fromUtf8(title), QString::fromUtf8(brief));
         tree_panes_->addWidget(pane);
     }
-    tabs_->setExpanding(false);
-    tabs_->setDrawBase(false);
+    tabs_ = tabs;
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
         if (tab != static_cast<int>(state_.tree_pane().tab)) {
             TreePane pane = state_.tree_pane();
@@ -90,7 +93,7 @@ void MainWindow::add_lesson_dock() {
 QWidget* MainWindow::make_picture_box() {
     auto* const box = new QWidget;
     picture_ = new PicturePane(state_, feed_);
-    hovered_ = new QLabel;
+    hovered_ = new FittingLabel;
     hovered_->setMargin(4);
     hovered_->setIndent(6);
     hovered_->setObjectName(QStringLiteral("aside"));
@@ -154,7 +157,6 @@ void MainWindow::show_lesson() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     share_room();
-    show_counts();
 }
 
 void MainWindow::share_room() {
@@ -171,7 +173,7 @@ void MainWindow::share_room() {
                     Qt::Vertical);
     }
     tall_tree_ = state_.tree_pane().tall;
-    const double share = teaches_by_diagram_ ? 0.52 : teaches ? 0.4 : 0.36;
+    const double share = teaches_by_diagram_ ? 0.56 : teaches ? 0.4 : 0.36;
     const int below = tall_tree_ ? std::max(height() / 2, std::min(height() * 3 / 5, 480))
                                  : std::clamp(static_cast<int>(height() * share), 160, 480);
     const int picture = std::min(left * 3 / 4 + 50 + (overlaid_ ? legend_room : 0),

@@ -273,16 +273,19 @@ int OutlinePane::left_for_names(bool brief) {
 }
 
 /// Beyond the pane's edge is nothing, as long as there is room for a few letters of each name; from
-/// there on the pane scrolls.
+/// there on the pane scrolls, and has names as well as the rest written out.
 void OutlinePane::size_columns() {
     const int wanted = wanted_letters * fontMetrics().averageCharWidth();
     int rest = left_for_names(false);
     if (rest < wanted) {
         rest = left_for_names(true);
     }
+    if (rest < width_for(Column::met)) {
+        rest = wanted;
+    }
     const int spare = std::max(0, rest - wanted) / 3;
     setColumnWidth(static_cast<int>(Column::ray), width_for_rays() + spare);
-    setColumnWidth(static_cast<int>(Column::met), std::max(rest - spare, width_for(Column::met)));
+    setColumnWidth(static_cast<int>(Column::met), rest - spare);
     setIndentation(brief_ ? least_indented : indentation_for(state_.tree().get()));
     viewport()->update();
 }

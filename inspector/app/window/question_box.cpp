@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "tree/explain.h"
 #include "window/choice_button.h"
 #include "window/lesson_html.h"
 #include "window/qt_text.h"
@@ -106,8 +107,12 @@ void QuestionBox::add_input() {
 void QuestionBox::add_number(QVBoxLayout* rows) {
     auto* const row = new QHBoxLayout;
     auto* const field = new QLineEdit;
-    field->setPlaceholderText(QStringLiteral("a number"));
-    field->setAccessibleName(QStringLiteral("Your answer, a number"));
+    const double tolerance = state_.lesson()->here().ask->tolerance;
+    const QString wanted = tolerance > 0
+                               ? QStringLiteral("a number, ± %1").arg(qt(number_text(tolerance)))
+                               : QStringLiteral("an exact number");
+    field->setPlaceholderText(wanted);
+    field->setAccessibleName(QStringLiteral("Your answer, ") + wanted);
     number_ = field;
     auto* const button = new QPushButton(QStringLiteral("Answer"));
     button->setEnabled(false);

@@ -77,7 +77,7 @@ QMainWindow::separator { background: @window; width: 6px; height: 6px; }
 QDockWidget { color: @dim; font-weight: bold; }
 QDockWidget::title { background: @window; padding: 5px 4px 4px 6px; text-align: left; }
 QTabBar { font-weight: bold; }
-QTabBar::tab { background: transparent; color: @dim; padding: 4px 10px 3px 10px;
+QTabBar::tab { background: transparent; color: @dim; padding: 4px 8px 3px 8px;
                border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
