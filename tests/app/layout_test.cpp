@@ -366,6 +366,9 @@ class LayoutTest : public test::ShownWindow {
 
     /// What stands beside the steps stays beside the one that is looked at.
     void what_a_step_refers_to_stays_beside_it() {
+        if (!has_usual_font()) {
+            QSKIP("with a larger font it stands above the steps");
+        }
         state_.show(open_file(RAYTREE_SCENES "mesh.json"));
         QTRY_VERIFY(state_.tree());
         window_->resize(1280, 800);
