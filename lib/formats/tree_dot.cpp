@@ -6,6 +6,7 @@
 
 #include "formats/tree_colours.h"
 #include "formats/tree_diagram.h"
+#include "formats/tree_title.h"
 #include "formats/xml_text.h"
 #include "tree/explain.h"
 
@@ -40,9 +41,7 @@ class Graph {
     explicit Graph(const RayTree<double>& tree) : tree_(tree), children_(children_of(tree)) {}
 
     std::string write() {
-        const std::string title = "Ray tree of pixel " + std::to_string(tree_.pixel_i) + "," +
-                                  std::to_string(tree_.pixel_j) +
-                                  (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
+        const std::string title = "Ray tree of " + pixel_and_scene(tree_);
         text_ =
             "digraph raytree {\n"
             "  graph [fontname=\"DejaVu Sans\", labelloc=t, ordering=out, nodesep=0.25, "

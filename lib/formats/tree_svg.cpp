@@ -6,6 +6,7 @@
 #include "formats/svg.h"
 #include "formats/tree_colours.h"
 #include "formats/tree_diagram.h"
+#include "formats/tree_title.h"
 #include "tree/explain.h"
 
 namespace raytree {
@@ -65,11 +66,7 @@ class Drawing {
     double card_y(const Box& box) const { return top_ + box.y + Sizes::label; }
     double bottom(const Box& box) const { return card_y(box) + box.card_height; }
 
-    std::string title_text() const {
-        return "Ray tree of pixel " + std::to_string(tree_.pixel_i) + "," +
-               std::to_string(tree_.pixel_j) +
-               (tree_.scene_name.empty() ? "" : " of " + tree_.scene_name);
-    }
+    std::string title_text() const { return "Ray tree of " + pixel_and_scene(tree_); }
 
     void draw_header(const std::string& title, double centre) {
         svg_.text(centre, 24, title, {title_size, ink, true, false, "middle"});

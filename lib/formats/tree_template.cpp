@@ -5,6 +5,7 @@
 
 #include "formats/json_text.h"
 #include "formats/scene_json.h"
+#include "formats/tree_title.h"
 
 namespace raytree {
 namespace {
@@ -54,9 +55,7 @@ void write_ray(JsonWriter& json, const TreeRay<double>& ray) {
 class Outline {
   public:
     std::string draw(const RayTree<double>& tree) {
-        text_ = "Ray tree of pixel " + std::to_string(tree.pixel_i) + "," +
-                std::to_string(tree.pixel_j) +
-                (tree.scene_name.empty() ? "" : " of " + tree.scene_name) + "\n";
+        text_ = "Ray tree of " + pixel_and_scene(tree) + "\n";
         for (const TreeRay<double>& ray : tree.rays) {
             draw_ray(ray);
         }

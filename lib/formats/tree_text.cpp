@@ -5,6 +5,7 @@
 
 #include "formats/styled_text.h"
 #include "formats/sum_text.h"
+#include "formats/tree_title.h"
 #include "tree/eight_bit.h"
 #include "tree/explain.h"
 
@@ -88,10 +89,7 @@ class Outline {
     }
 
     void write_header() {
-        const std::string scene = tree_.scene_name.empty() ? "" : " of " + tree_.scene_name;
-        out_.paragraph("", "",
-                       {{Style::heading, "The ray tree of pixel " + std::to_string(tree_.pixel_i) +
-                                             "," + std::to_string(tree_.pixel_j) + scene}});
+        out_.paragraph("", "", {{Style::heading, "The ray tree of " + pixel_and_scene(tree_)}});
         out_.line("", {});
         row({}, "pixel", pixel_text());
         row({}, "rays", counts_text());
