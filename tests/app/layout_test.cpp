@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenuBar>
 #include <QScrollBar>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -11,8 +12,10 @@
 #include <QTextLayout>
 #include <QTextTable>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 
 #include "app/cut_words.h"
@@ -406,6 +409,28 @@ class LayoutTest : public test::ShownWindow {
             check_words(name.c_str());
         }
         run_command(state_, "lesson.close");
+    }
+
+    /// The button at the end of a menu bar that has no room for all of its menus.
+    void the_arrows_to_further_menus_are_seen_in_both_themes() {
+        const auto* button =
+            window_->menuBar()->findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"));
+        QVERIFY(button);
+        for (int theme = 0; theme < 2; ++theme) {
+            run_command(state_, "look.dark");
+            const QImage arrows = button->icon().pixmap(32).toImage();
+            const int behind = window_->palette().color(QPalette::Window).lightness();
+            int contrast = 0;
+            for (int y = 0; y < arrows.height(); ++y) {
+                for (int x = 0; x < arrows.width(); ++x) {
+                    const QColor ink = arrows.pixelColor(x, y);
+                    if (ink.alpha() == 255) {
+                        contrast = std::max(contrast, std::abs(ink.lightness() - behind));
+                    }
+                }
+            }
+            QVERIFY2(contrast > 100, qPrintable(QString::number(contrast)));
+        }
     }
 
     void panes_stay_where_they_are_when_the_theme_changes() {

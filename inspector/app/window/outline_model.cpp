@@ -230,7 +230,8 @@ QVariant OutlineModel::headerData(int section, Qt::Orientation orientation, int 
     const ColumnText& text = text_of(static_cast<Column>(section));
     switch (role) {
         case Qt::TextAlignmentRole:
-            return static_cast<int>(text.number ? Qt::AlignRight : Qt::AlignLeft);
+            return static_cast<int>(Qt::AlignVCenter |
+                                    (text.number ? Qt::AlignRight : Qt::AlignLeft));
         case Qt::DisplayRole:
             return qt(text.title) + room_for_arrow(section);
         case Qt::ToolTipRole:

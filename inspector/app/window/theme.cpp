@@ -7,6 +7,7 @@
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QToolButton>
 #include <QWidget>
 #include <optional>
 
@@ -15,7 +16,8 @@
 namespace raytree::inspector {
 namespace {
 
-/// Fusion's boxes to tick are framed in a shade of the window's colour, invisible on a dark one.
+/// Fusion's boxes to tick are framed in a shade of the window's colour and what is behind the end
+/// of a menu bar is told by black arrows, both invisible on a dark one.
 class Style : public QProxyStyle {
   public:
     explicit Style(const Palette& palette)
@@ -49,9 +51,36 @@ class Style : public QProxyStyle {
         painter->restore();
     }
 
+    QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        if (which != SP_ToolBarHorizontalExtensionButton) {
+            return QProxyStyle::standardIcon(which, option, widget);
+        }
+        QPixmap arrows(64, 64);
+        arrows.fill(Qt::transparent);
+        QPainter painter(&arrows);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(qt(palette_.text), 7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const int x : {14, 36}) {
+            painter.drawPolyline(QPolygon({{x, 14}, {x + 16, 32}, {x, 50}}));
+        }
+        return arrows;
+    }
+
   private:
     Palette palette_;
 };
+
+/// Qt asks for the icon of a bar's button once.
+void renew_arrows(const QStyle& style) {
+    for (QWidget* widget : QApplication::allWidgets()) {
+        auto* button = qobject_cast<QToolButton*>(widget);
+        if (button && (button->objectName() == QLatin1String("qt_menubar_ext_button") ||
+                       button->objectName() == QLatin1String("qt_toolbar_ext_button"))) {
+            button->setIcon(style.standardIcon(QStyle::SP_ToolBarHorizontalExtensionButton));
+        }
+    }
+}
 
 /// While it lives, a new style sheet changes what widgets look like and not how large they are:
 /// none is to lay itself out anew, which takes most of the time.
@@ -169,6 +198,7 @@ void apply_theme(const Palette& p) {
     }
     QApplication::setPalette(colours);
     qApp->setStyleSheet(style_sheet(p));
+    renew_arrows(*style);
 }
 
 }  // namespace raytree::inspector
