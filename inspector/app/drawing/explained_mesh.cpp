@@ -221,9 +221,9 @@ class Builder {
         for (const ShadowVolume& volume : volumes.volumes) {
             count += volume.walls.size();
         }
-        const double many = std::sqrt(std::max(1.0, static_cast<double>(count) / 12));
-        const Paint face{ink, static_cast<std::uint8_t>(std::max(5.0, 34 / many))};
-        const Paint edge{ink, static_cast<std::uint8_t>(std::max(70.0, 170 / many))};
+        const double many = std::max(1.0, static_cast<double>(count) / 12);
+        const Paint face{ink, static_cast<std::uint8_t>(std::max(4.0, 34 / many))};
+        const Paint edge{ink, static_cast<std::uint8_t>(std::max(70.0, 170 / std::sqrt(many)))};
         const Paint gone{ink, 0};
         for (const ShadowVolume& volume : volumes.volumes) {
             for (const VolumeWall& wall : volume.walls) {
