@@ -31,6 +31,15 @@ struct TreeFile {
 
 RayTree<double> true_tree(const Scene& scene) { return record_tree(World<double>(scene), 40, 30); }
 
+/// One that ends at another depth than the scene it says it is of.
+RayTree<double> tree_of_depth(int depth, const Scene& scene) {
+    Scene other = scene;
+    other.settings.max_depth = depth;
+    RayTree<double> tree = true_tree(other);
+    tree.settings = scene.settings;
+    return tree;
+}
+
 std::size_t count(const State& state, RayMark mark) {
     return static_cast<std::size_t>(std::ranges::count(state.tree()->contrast->marks, mark));
 }
@@ -108,10 +117,7 @@ TEST_CASE("app: a ray that is missing in a recorded tree stands where it should 
 
 TEST_CASE("app: a folded branch counts the rays that are missing in it, and says so") {
     const Scene scene = test::glass_ball_scene();
-    Scene flatter = scene;
-    flatter.settings.max_depth = 3;
-    RayTree<double> theirs = true_tree(flatter);
-    theirs.settings = scene.settings;
+    const RayTree<double> theirs = tree_of_depth(3, scene);
     const TreeFile file(theirs, nullptr);
     State state;
     state.show(test::opened(scene));
@@ -140,10 +146,7 @@ TEST_CASE("app: a folded branch counts the rays that are missing in it, and says
 
 TEST_CASE("app: a ray too many is extra") {
     const Scene scene = test::glass_ball_scene();
-    Scene deeper = scene;
-    deeper.settings.max_depth = 5;
-    RayTree<double> theirs = true_tree(deeper);
-    theirs.settings = scene.settings;
+    const RayTree<double> theirs = tree_of_depth(5, scene);
     const std::size_t more = theirs.rays.size() - true_tree(scene).rays.size();
     REQUIRE(more > 0);
     const TreeFile file(theirs, nullptr);

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "formats/tree_diagram.h"
 #include "tree/explain.h"
@@ -227,38 +231,34 @@ class Builder {
                });
     }
 
-    /// "no shadow ray to key: light behind surface". Of many lights the first one speaks for all;
-    /// empty for the others.
-    std::string words_of(const Skipped& ghost) const {
-        constexpr auto most = 3;
-        const std::string reason = ": " + short_reason(ghost.reason);
-        if (ghost.kind != RayKind::shadow) {
-            return "not " + std::string(word_of(ghost.kind)) + reason;
-        }
-        const auto alike = [&](const Skipped& other) {
-            return other.kind == ghost.kind && other.reason == ghost.reason &&
-                   ghost_way(in_.document.scene(), ray_, other, in_.playback);
-        };
-        const auto count = std::ranges::count_if(ray_.skipped, alike);
-        if (count <= most) {
-            return "no shadow ray to " + ghost.light + reason;
-        }
-        const bool first = &*std::ranges::find_if(ray_.skipped, alike) == &ghost;
-        return first ? "no shadow rays to " + std::to_string(count) + " lights" + reason : "";
-    }
-
-    /// Dotted, the way that the ray would have gone; nothing where it would have gone no way.
+    /// Dotted, the way that the ray would have gone; nothing where it would have gone no way. Of
+    /// many lights that were not asked for the same reason the first one's words speak for all.
     void add_ghosts() {
+        constexpr int most = 3;
+        std::vector<std::pair<const Skipped*, Point3>> ghosts;  // with their ways
+        std::map<Reason, int> lights;
         for (const Skipped& ghost : ray_.skipped) {
             if (const auto way = ghost_way(in_.document.scene(), ray_, ghost, in_.playback)) {
-                const Point3 tip = at_ + *way * (ghost_length * pixel_);
-                add_dots(tip, ghost_length, {in_.palette.dim_text, 200});
-                if (std::string words = words_of(ghost); !words.empty()) {
-                    out_.words.push_back({at_ + *way * (1.12 * ghost_length * pixel_),
-                                          at_ + *way * (2 * ghost_length * pixel_),
-                                          std::move(words), false});
-                }
+                ghosts.emplace_back(&ghost, *way);
+                lights[ghost.reason] += ghost.kind == RayKind::shadow ? 1 : 0;
             }
+        }
+        std::set<Reason> told;
+        for (const auto& [ghost, way] : ghosts) {
+            const Point3 tip = at_ + way * (ghost_length * pixel_);
+            add_dots(tip, ghost_length, {in_.palette.dim_text, 200});
+            std::string name = "not " + std::string(word_of(ghost->kind));
+            if (ghost->kind == RayKind::shadow) {
+                const int count = lights[ghost->reason];
+                if (count > most && !told.insert(ghost->reason).second) {
+                    continue;
+                }
+                name = count > most ? "no shadow rays to " + std::to_string(count) + " lights"
+                                    : "no shadow ray to " + ghost->light;
+            }
+            out_.words.push_back({at_ + way * (1.12 * ghost_length * pixel_),
+                                  at_ + way * (2 * ghost_length * pixel_),
+                                  name + ": " + short_reason(ghost->reason), false});
         }
     }
 

@@ -84,6 +84,11 @@ std::string contrast_note(const State& state) {
     return "≠ differs   ~ follows   − missing   + extra";
 }
 
+const TreeRay<double>* selected_and_found(const State& state) {
+    const TreeRay<double>* const ray = state.selected();
+    return ray && is_found(state.playback(), ray->id) ? ray : nullptr;
+}
+
 std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
                                      bool from_the_eye) {
     std::vector<SceneLabel> labels;
@@ -91,9 +96,7 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
         return labels;
     }
     const Scene& scene = state.document()->scene();
-    const TreeRay<double>* const selected = state.selected();
-    const TreeRay<double>* const ray =
-        selected && is_found(state.playback(), selected->id) ? selected : nullptr;
+    const TreeRay<double>* const ray = selected_and_found(state);
     if (state.thing() && state.thing()->kind == Thing::Kind::object) {
         const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
         labels.push_back({at, qt(name_of(scene, *state.thing())), true});

@@ -34,6 +34,9 @@ SceneLegend legend_of(const State& state, const std::vector<RayPath>& paths);
 /// What the signs of a compared tree mean; empty where none is.
 std::string contrast_note(const State& state);
 
+/// The selected ray, where it is known by now what it meets; else null.
+const TreeRay<double>* selected_and_found(const State& state);
+
 /// The names of what stands in the 3D view just now.
 std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
                                      bool from_the_eye);

@@ -160,9 +160,7 @@ ScenePane::Described ScenePane::describe(const View& view, const Shapes& shapes)
 SceneThings ScenePane::things(const View& view, const SceneMesh& shapes) const {
     const Palette& palette = palette_of(state_.look().theme);
     // The normal comes and goes with the angles that are measured from it.
-    const auto* const selected = state_.look().angles ? state_.selected() : nullptr;
-    const auto* const marked =
-        selected && is_found(state_.playback(), selected->id) ? selected : nullptr;
+    const auto* const marked = state_.look().angles ? selected_and_found(state_) : nullptr;
     SceneThings things;
     things.marks = landmarks({*state_.document(), marked, state_.pixel(), extent_, view, palette,
                               state_.thing(), &shapes});
