@@ -10,6 +10,7 @@
 
 #include "app/scenes.h"
 #include "app/shown_window.h"
+#include "drawing/edge_place.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
 #include "state/commands.h"
@@ -296,6 +297,36 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY2(compared > 100, std::to_string(compared).c_str());
         // But where a ray or a line of the frustum crosses it.
         QVERIFY2(uneven < compared / 10, std::to_string(uneven).c_str());
+    }
+
+    void what_lies_inside_something_solid_is_seen_onto_its_hit() {
+        const Ink refracted = palette_of(Theme::light)[RayLook::refracted];
+        run_command(state_, "shapes.solid");
+        const int closed = pixels_of(refracted);
+        run_command(state_, "view.hit");
+        const int open = pixels_of(refracted);
+        run_command(state_, "shapes.see_through");
+        // What is left while all is closed: the legend's sign, and rays outside.
+        QVERIFY2(open > closed + 200,
+                 (std::to_string(closed) + " -> " + std::to_string(open)).c_str());
+    }
+
+    void an_arrow_points_to_a_selected_light_outside_the_view() {
+        const Extent extent = extent_of(*state_.document());
+        run_command(state_, "view.camera");
+        run_command(state_, "light.select", "key");
+        const ScenePane& pane = window_->scene_pane();
+        const Light& key = state_.document()->scene().lights[0];
+        const auto seen = pane.place_of(place_of(key, extent));
+        QVERIFY(!seen || !QRectF(pane.rect()).contains(*seen));
+        const WordBox frame{14, 14, pane.width() - 28.0, pane.height() - 62.0};
+        const auto place = edge_place(pane.view(), frame, place_of(key, extent));
+        QVERIFY(place);
+        QVERIFY(selection_is_seen(view_image(), {place->x, place->y}));
+        run_command(state_, "view.fit_selection");
+        QVERIFY(QRectF(pane.rect()).contains(*pane.place_of(place_of(key, extent))));
+        const auto gone = QPointF(place->x, place->y);
+        QVERIFY(!selection_is_seen(view_image(), gone));
     }
 
     /// On screens of any number of pixels (run with QT_SCALE_FACTOR=2 as well).

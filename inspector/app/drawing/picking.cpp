@@ -1,7 +1,10 @@
 #include "drawing/picking.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "drawing/ray_mesh.h"
 
@@ -21,13 +24,52 @@ std::optional<Thing> light_at(const Scene& scene, const Extent& extent, const Vi
     return found;
 }
 
-std::optional<Thing> object_at(const Document& document, const View& view, double x, double y) {
+namespace {
+
+/// What a line of sight meets first.
+struct Sight {
+    Thing object;
+    Point3 at;
+};
+
+std::optional<Sight> sight_of(const Document& document, const View& view, double x, double y) {
     const auto& shapes = document.world().shapes;
-    const Ray<double> ray{view.eye, direction_through(view, x, y), 0};
+    const Point3 direction = direction_through(view, x, y);
+    const double cut = view.cut / glm::dot(direction, axes_of(view).forward);
+    const Ray<double> ray{view.eye + direction * cut, direction, 0};
     NoTestCount count;
     const auto hit = shapes.closest(ray, no_primitive, {}, count);
-    return hit ? std::optional(Thing{Thing::Kind::object, shapes.shapes()[hit->primitive].object})
-               : std::nullopt;
+    if (!hit) {
+        return std::nullopt;
+    }
+    return Sight{{Thing::Kind::object, shapes.shapes()[hit->primitive].object},
+                 ray.origin + direction * hit->t};
+}
+
+}  // namespace
+
+std::optional<Thing> object_at(const Document& document, const View& view, double x, double y) {
+    const auto sight = sight_of(document, view, x, y);
+    return sight ? std::optional(sight->object) : std::nullopt;
+}
+
+std::optional<Point3> seen_point(const Document& document, const View& view, Thing object) {
+    constexpr int half = 5;  // of the grid's places to each side
+    for (int ring = 0; ring <= half; ++ring) {
+        for (int row = -ring; row <= ring; ++row) {
+            for (int column = -ring; column <= ring; ++column) {
+                if (std::max(std::abs(row), std::abs(column)) != ring) {
+                    continue;
+                }
+                const auto sight = sight_of(document, view, view.width * (0.5 + 0.09 * column),
+                                            view.height * (0.5 + 0.09 * row));
+                if (sight && sight->object == object) {
+                    return sight->at;
+                }
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 std::vector<Point3> corners_of(const Document& document, const Extent& extent, Thing thing) {

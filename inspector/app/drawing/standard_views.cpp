@@ -99,6 +99,7 @@ View camera_view(const Document& document, const Extent& extent, const View& now
     view.eye = document.scene().camera.eye;
     view.target = view.eye + camera.forward().vec() * extent.far_distance;
     view.up = camera.up();
+    view.cut = 0;
     double high = 0, wide = 0;
     for (const Point3& corner : picture_corners(document, 1)) {
         high = std::max(high, std::abs(glm::dot(corner - view.eye, camera.up())));
@@ -146,7 +147,8 @@ View hit_view(const Document& document, const TreeRay<double>& ray, const Extent
     view.fov_degrees = fov;
     view.up = normal;
     view.target = ray.hit->point;
-    view.eye = view.target - forward * (half_height / std::tan(fov * std::numbers::pi / 360));
+    view.cut = half_height / std::tan(fov * std::numbers::pi / 360);
+    view.eye = view.target - forward * view.cut;
     return view;
 }
 

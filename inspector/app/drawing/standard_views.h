@@ -18,7 +18,8 @@ View side_view(const Document& document, const Extent& extent, const std::vector
 
 /// Straight onto the plane of incidence at a hit, its surface level and its normal upright: the ray
 /// comes from the left, as the lecture draws it. The shape that is hit fills about half of the
-/// screen, unless it is large or very small beside the scene.
+/// screen, unless it is large or very small beside the scene. Solid shapes are cut open along the
+/// plane: what stands before it hides neither the hit nor the rays inside.
 View hit_view(const Document& document, const TreeRay<double>& ray, const Extent& extent,
               const View& now);
 

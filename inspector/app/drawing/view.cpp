@@ -80,6 +80,7 @@ View panned(View view, double right_pixels, double up_pixels) {
 
 View zoomed(View view, double factor) {
     view.eye = view.target + (view.eye - view.target) / factor;
+    view.cut /= factor;
     return view;
 }
 
@@ -109,6 +110,7 @@ View fitted(View view, std::span<const Point3> points, double margin) {
     z = std::min(z, front - 0.02 * (back - front) - 1e-9);
     view.eye = axes.right * x + axes.up * y + axes.forward * z;
     view.target = view.eye + axes.forward * std::max((front + back) / 2 - z, 1e-6);
+    view.cut = 0;
     return view;
 }
 

@@ -19,6 +19,7 @@ struct View {
     double fov_degrees = 30;  ///< vertical, the full angle
     int width = 1;            ///< in pixels
     int height = 1;
+    double cut = 0;  ///< how far from the eye shapes are cut away; 0: nowhere
     int foot = 34;  ///< pixels along the lower edge that the legend covers: nothing is fitted there
 
     friend bool operator==(const View&, const View&) = default;

@@ -236,7 +236,21 @@ void Scene3d::Parts::show_view() {
     const Point3 up = axes_of(view).up;
     camera->SetViewUp(up.x, up.y, up.z);
     camera->SetViewAngle(view.fov_degrees);
+    cut_open();
     choose_depths(camera->GetMTime() == before);
+}
+
+void Scene3d::Parts::cut_open() {
+    const View& view = frame.view;
+    const Point3 forward = axes_of(view).forward, place = view.eye + forward * view.cut;
+    cut->SetNormal(forward.x, forward.y, forward.z);
+    cut->SetOrigin(place.x, place.y, place.z);
+    for (Part* part : {&shapes, &edges}) {
+        part->mapper->RemoveAllClippingPlanes();
+        if (view.cut > 0) {
+            part->mapper->AddClippingPlane(cut);
+        }
+    }
 }
 
 /// The depths between which things are drawn, rays included, with room for other rays: where only

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkRenderWindow.h>
 #include <vtkTexture.h>
 
@@ -21,6 +22,7 @@ struct Scene3d::Parts {
     Part shapes, shapes_over, edges, picture, mark_lines, marks, ray_lines, rays, halo, fading,
         angles, faint_angles;
     Part explained_faces, explained_lines, explained;
+    vtkNew<vtkPlane> cut;                   ///< before which solid shapes are cut away
     SceneFrame frame;                       ///< that is shown
     std::vector<std::size_t> order;         ///< of its shapes, where they are see-through
     std::array<double, 2> depths = {0, 0};  ///< of the camera's clipping planes
@@ -42,6 +44,7 @@ struct Scene3d::Parts {
     void set_shading();
     void set_shape_shader();
     void lay_over(const Mesh* some);
+    void cut_open();
     void choose_depths(bool same_view);
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "drawing/angles.h"
+#include "drawing/edge_place.h"
 #include "drawing/explained_mesh.h"
 #include "drawing/picking.h"
 #include "drawing/ray_mesh.h"
@@ -98,19 +99,28 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     const Scene& scene = state.document()->scene();
     const TreeRay<double>* const ray = selected_and_found(state);
     if (state.thing() && state.thing()->kind == Thing::Kind::object) {
+        const QString name = qt(name_of(scene, *state.thing()));
         const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
-        labels.push_back({at, qt(name_of(scene, *state.thing())), true});
+        const WordBox whole{0, 0, static_cast<double>(view.width),
+                            static_cast<double>(view.height)};
+        const auto part = edge_place(view, whole, at)
+                              ? seen_point(*state.document(), view, *state.thing())
+                              : std::nullopt;
+        labels.push_back({part.value_or(at), name, true, std::nullopt, name});
     }
+    const QString away = ray && !state.thing() ? qt(title_of(*ray)) : QString();
     if (ray && ray->hit) {
         if (object_named(scene, ray->hit->object) != state.thing()) {
-            labels.push_back({ray->hit->point, qt(ray->hit->object), true});
+            labels.push_back({ray->hit->point, qt(ray->hit->object), true, std::nullopt, away});
         }
         if (state.look().angles) {
             labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
         }
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
-                          qt(ray->shadow->blocked_by->object), true});
+                          qt(ray->shadow->blocked_by->object), true, std::nullopt, away});
+    } else if (ray && ray->parent) {
+        labels.push_back({ray->origin, QString(), true, std::nullopt, away});
     }
     for (const ExplainedMark& mark : explained_marks(state, extent)) {
         labels.push_back({mark.at, qt(mark.words), true});
@@ -118,7 +128,9 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     add_marks(labels, state, extent);
     for (std::size_t k = 0; k < scene.lights.size(); ++k) {
         const bool chosen = state.thing() == Thing{Thing::Kind::light, k};
-        labels.push_back({place_of(scene.lights[k], extent), qt(scene.lights[k].name), chosen});
+        const QString name = qt(scene.lights[k].name);
+        labels.push_back({place_of(scene.lights[k], extent), name, chosen, std::nullopt,
+                          chosen ? name : QString()});
     }
     if (!from_the_eye) {
         labels.push_back({scene.camera.eye, QStringLiteral("eye"), false});

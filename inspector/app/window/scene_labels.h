@@ -19,6 +19,7 @@ struct SceneLabel {
     QString text;
     bool strong = false;
     std::optional<Point3> out = std::nullopt;  ///< towards which it may be moved
+    QString away = {};  ///< what is written at the edge where it is outside; empty: nothing
 };
 
 /// What the legend explains: only what is drawn.

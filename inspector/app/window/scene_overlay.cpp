@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "drawing/edge_place.h"
+#include "state/commands.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -42,8 +44,10 @@ void SceneOverlay::set_legend(const SceneLegend& legend) {
 }
 
 void SceneOverlay::set_notes(const QStringList& notes) {
-    notes_ = notes;
-    update();
+    if (notes_ != notes) {
+        notes_ = notes;
+        update();
+    }
 }
 
 void SceneOverlay::paintEvent(QPaintEvent*) {
@@ -165,6 +169,12 @@ void SceneOverlay::draw_labels(QPainter& painter, QRectF legend_box) const {
     for (const SceneLabel& label : labels_) {
         const auto at = project(view_, label.at);
         if (!at || !room.holds({at->x, at->y, 0, 0})) {
+            if (!label.away.isEmpty()) {
+                draw_away(painter, label, taken);
+            }
+            continue;
+        }
+        if (label.text.isEmpty()) {
             continue;
         }
         QFont font = painter.font();
@@ -184,6 +194,43 @@ void SceneOverlay::draw_labels(QPainter& painter, QRectF legend_box) const {
             draw_label(painter, label, box);
             taken.push_back(*place);
         }
+    }
+}
+
+/// An arrow at the edge towards what is outside, its name, and the key that shows it.
+void SceneOverlay::draw_away(QPainter& painter, const SceneLabel& label,
+                             std::vector<WordBox>& taken) const {
+    constexpr double edge = 14, size = 8;
+    const double foot = taken.front().height > 0 ? height() - taken.front().y : 0;
+    const WordBox frame{edge, edge, width() - 2 * edge, height() - foot - 2 * edge};
+    const auto place = edge_place(view_, frame, label.at);
+    if (!place) {
+        return;
+    }
+    const Palette& palette = palette_of(state_.look().theme);
+    painter.setPen(QPen(qt(palette.panel), 1.5));
+    painter.setBrush(qt(palette.selection));
+    const QPointF ahead(place->dx, place->dy), aside(-place->dy, place->dx);
+    const QPointF tip = QPointF(place->x, place->y) + ahead * size;
+    const QPointF foot_of_tip = tip - ahead * 2 * size;
+    painter.drawPolygon(QPolygonF({tip, foot_of_tip + aside * size, foot_of_tip - aside * size}));
+
+    SceneLabel words = label;
+    words.text = label.away;
+    if (parentWidget()) {  // not in an exported image
+        const QString key = qt(find_command("view.fit_selection")->keys);
+        words.text += QStringLiteral(", outside: %1 shows it").arg(key);
+    }
+    QFont font = painter.font();
+    font.setBold(true);
+    const QFontMetricsF metrics(font);
+    const std::array<double, 2> inwards = {foot_of_tip.x() - place->dx,
+                                           foot_of_tip.y() - place->dy};
+    const WordWish wish{foot_of_tip.x(), foot_of_tip.y(), inwards,
+                        metrics.horizontalAdvance(words.text) + 8, metrics.height() + 2};
+    if (const auto box = place_words(wish, box_of(rect()), taken, lines_)) {
+        draw_label(painter, words, QRectF(box->x, box->y, box->width, box->height));
+        taken.push_back(*box);
     }
 }
 

@@ -83,6 +83,7 @@ void ScenePane::obey(const Changes& changes) {
         view.target = changes.view_from->target;
         view.up = changes.view_from->up;
         view.fov_degrees = View{}.fov_degrees;  // whatever was looked through before
+        view.cut = 0;
         standing_.reset();
         change_view(view);
     }
@@ -190,6 +191,9 @@ void ScenePane::show_notes() {
         notes << QStringLiteral("meshes of %1 triangles are drawn with fewer")
                      .arg(mesh_->thinned_from);
     }
+    if (cut_open(view_).cut > 0) {
+        notes << QStringLiteral("solid shapes are cut open here");
+    }
     if (state_.tree() && !state_.tree()->neighbours.empty()) {
         notes << QStringLiteral("thin: the trees of %1 pixels around")
                      .arg(state_.tree()->neighbours.size());
@@ -202,6 +206,7 @@ void ScenePane::show_notes() {
 
 void ScenePane::change_view(const View& view) {
     view_ = view;
+    show_notes();
     redraw();
 }
 

@@ -80,6 +80,8 @@ class ScenePane : public QWidget {
     std::vector<RayPath> whole_tree() const;
     std::vector<Point3> selected_points() const;
     void change_view(const View& view);
+    /// Only solid shapes are.
+    View cut_open(View view) const;
     void show_notes();
     void make_mesh(double pixel);
     bool take_mesh(std::chrono::milliseconds patience);

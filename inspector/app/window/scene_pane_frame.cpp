@@ -16,6 +16,11 @@
 /// The 3D view's part in what a frame consists of.
 namespace raytree::inspector {
 
+View ScenePane::cut_open(View view) const {
+    view.cut = state_.look().shapes == ShapeStyle::solid ? view.cut : 0;
+    return view;
+}
+
 bool ScenePane::looks_from_the_eye(const View& view) const {
     return glm::length(view.eye - state_.document()->scene().camera.eye) <
            0.6 * extent_.plane_distance;
@@ -151,10 +156,11 @@ ScenePane::Described ScenePane::describe(const View& view, const Shapes& shapes)
     std::ranges::copy(scene_labels(state_, extent_, view, looks_from_the_eye(view)),
                       std::back_inserter(labels));
     std::ranges::stable_partition(labels, &SceneLabel::strong);
-    return {{state_.look().theme, shapes, state_.look().shapes, extent_, picture_,
-             picture_place(view), std::move(things), view, devicePixelRatioF(), false, many_},
-            std::move(labels),
-            ray_lines(view)};
+    return {
+        {state_.look().theme, shapes, state_.look().shapes, extent_, picture_, picture_place(view),
+         std::move(things), cut_open(view), devicePixelRatioF(), false, many_},
+        std::move(labels),
+        ray_lines(view)};
 }
 
 SceneThings ScenePane::things(const View& view, const SceneMesh& shapes) const {

@@ -84,7 +84,7 @@ std::optional<Thing> ScenePane::thing_at(QPointF at) const {
         light_at(state_.document()->scene(), extent_, view_, at.x(), at.y(), click_reach);
     return light        ? light
            : ray_at(at) ? std::nullopt
-                        : object_at(*state_.document(), view_, at.x(), at.y());
+                        : object_at(*state_.document(), cut_open(view_), at.x(), at.y());
 }
 
 void ScenePane::click(QPointF at) {
