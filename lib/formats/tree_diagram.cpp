@@ -1,6 +1,7 @@
 #include "formats/tree_diagram.h"
 
 #include <algorithm>
+#include <map>
 
 #include "formats/svg.h"
 #include "tree/eight_bit.h"
@@ -15,6 +16,7 @@ using Ray = TreeRay<double>;
 
 constexpr double widest_text = 170;
 constexpr LayoutGaps gaps{16, 40};
+constexpr std::size_t most_high_rows = 5, most_alike = 3;  // lights beside a frame
 
 double width_of(const std::string& text) { return text_width(text, Sizes::font); }
 
@@ -136,19 +138,50 @@ class DiagramMaker {
                 box.lights.push_back(sent_row(tree_.rays[child]));
             }
         }
-        for (const Skipped& skipped : ray.skipped) {
-            if (skipped.kind == RayKind::shadow) {
-                box.lights.push_back(
-                    {LightRow::State::absent, skipped.light, short_reason(skipped.reason),
-                     "no shadow ray to " + skipped.light + ": " + skipped_text(tree_, ray, skipped),
-                     std::nullopt});
-            }
-        }
+        add_absent_lights(box, ray);
+        double name = 0, fate = 0;
         for (LightRow& row : box.lights) {
             row.light = fitted_text(row.light, Sizes::font, widest_text);
             row.fate = fitted_text(row.fate, Sizes::font, widest_text);
-            const double text = std::max(1.08 * width_of(row.light), width_of(row.fate));
-            box.lights_width = std::max(box.lights_width, Sizes::light_indent + text);
+            name = std::max(name, 1.08 * width_of(row.light));
+            fate = std::max(fate, width_of(row.fate));
+        }
+        if (box.lights.size() > most_high_rows) {
+            constexpr double gap = 18;  // a sign may stand before the name
+            box.light_row = Sizes::light_line;
+            box.fate_x = name + gap;
+            box.fate_y = 0;
+        }
+        if (!box.lights.empty()) {
+            box.lights_width = Sizes::light_indent + std::max(name, box.fate_x + fate);
+        }
+    }
+
+    /// A row for each light that was not asked, or one for many that were not for one reason.
+    void add_absent_lights(Box& box, const Ray& ray) const {
+        std::map<Reason, std::size_t> counts;
+        for (const Skipped& skipped : ray.skipped) {
+            counts[skipped.reason] += skipped.kind == RayKind::shadow ? 1 : 0;
+        }
+        std::map<Reason, std::size_t> rows;  // of those that stand together
+        for (std::size_t k = 0; k < ray.skipped.size(); ++k) {
+            const Skipped& skipped = ray.skipped[k];
+            if (skipped.kind != RayKind::shadow) {
+                continue;
+            }
+            const std::string why =
+                "no shadow ray to " + skipped.light + ": " + skipped_text(tree_, ray, skipped);
+            const std::size_t together = counts[skipped.reason];
+            const auto [row, first] = rows.try_emplace(skipped.reason, box.lights.size());
+            if (together <= most_alike || first) {
+                box.lights.push_back({LightRow::State::absent, skipped.light,
+                                      short_reason(skipped.reason), why, std::nullopt, k});
+            } else {
+                LightRow& shared = box.lights[row->second];
+                shared.light = std::to_string(together) + " lights";
+                shared.tooltip += "\n" + why;
+                shared.skipped = k;
+            }
         }
     }
 
@@ -214,7 +247,7 @@ class DiagramMaker {
     void place() {
         std::vector<LayoutNode> nodes;
         for (const Box& box : diagram_.boxes) {
-            const double lights = Sizes::light_row * static_cast<double>(box.lights.size());
+            const double lights = box.light_row * static_cast<double>(box.lights.size());
             nodes.push_back({box.parent, box.card_width + box.lights_width,
                              Sizes::label + std::max(box.card_height, lights)});
         }

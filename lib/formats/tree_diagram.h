@@ -10,14 +10,27 @@
 
 namespace raytree {
 
-/// What is drawn of one shadow ray, sent or not.
+/// What is drawn of one shadow ray, sent or not, or of several that were not sent for one reason.
 struct LightRow {
     enum class State { lit, blocked, absent };
     State state = State::absent;
-    std::string light;
+    std::string light;    ///< "key", "12 lights"
     std::string fate;     ///< "reaches it", "ball in between", or the reason in a few words
     std::string tooltip;  ///< the whole sentence
-    std::optional<std::size_t> ray;  ///< of one that was sent
+    std::optional<std::size_t> ray;      ///< of one that was sent
+    std::optional<std::size_t> skipped;  ///< of others: the last one in the ray's `skipped`
+};
+
+/// Sizes that the drawing shares with the layout, in CSS pixels.
+struct DiagramSizes {
+    static constexpr double font = 11;
+    static constexpr double line = 14;
+    static constexpr double label = 17;  ///< above each frame: the kind of its ray
+    static constexpr double margin = 7;  ///< inside a frame
+    static constexpr double swatch = 13;
+    static constexpr double light_row = 29;     ///< with what became of it below
+    static constexpr double light_line = 15;    ///< with that beside it
+    static constexpr double light_indent = 30;  ///< from the frame to a light's name
 };
 
 /// A box of the diagram: a ray with what it hit and the shadow rays from there, a ray that was not
@@ -34,21 +47,13 @@ struct DiagramBox {
     std::vector<std::string> notes;     ///< of a ray, as of `notes_of`
     std::string tooltip;
     std::vector<LightRow> lights;
-    double x = 0, y = 0;      ///< of the whole, in CSS pixels, y down
-    double card_width = 0;    ///< of the frame, which stands at the left
-    double card_height = 0;   ///< without the label above it
-    double lights_width = 0;  ///< beside the frame
-};
-
-/// Sizes that the drawing shares with the layout, in CSS pixels.
-struct DiagramSizes {
-    static constexpr double font = 11;
-    static constexpr double line = 14;
-    static constexpr double label = 17;  ///< above each frame: the kind of its ray
-    static constexpr double margin = 7;  ///< inside a frame
-    static constexpr double swatch = 13;
-    static constexpr double light_row = 29;
-    static constexpr double light_indent = 30;  ///< from the frame to a light's name
+    double x = 0, y = 0;                         ///< of the whole, in CSS pixels, y down
+    double card_width = 0;                       ///< of the frame, which stands at the left
+    double card_height = 0;                      ///< without the label above it
+    double lights_width = 0;                     ///< beside the frame
+    double light_row = DiagramSizes::light_row;  ///< how high each light's row is
+    /// From the beginning of a light's name to that of its fate: below it, or of many beside it.
+    double fate_x = 0, fate_y = 12;
 };
 
 struct Diagram {

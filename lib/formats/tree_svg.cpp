@@ -109,7 +109,7 @@ class Drawing {
     }
 
     double light_y(const Box& box, std::size_t k) const {
-        return card_y(box) + Sizes::light_row * static_cast<double>(k) + 9;
+        return card_y(box) + box.light_row * static_cast<double>(k) + 9;
     }
 
     void draw_box(const Box& box) {
@@ -188,7 +188,8 @@ class Drawing {
                       {look.line, 1.5, look.dashes});
             draw_lamp(lamp, y, row.state);
             svg_.text(words, y + 4, row.light, {Sizes::font, look.text, true});
-            svg_.text(words, y + 4 + 12, row.fate, {Sizes::font - 1, look.text, false, true});
+            svg_.text(words + box.fate_x, y + 4 + box.fate_y, row.fate,
+                      {Sizes::font - 1, look.text, false, true});
             svg_.end_group();
         }
     }

@@ -2,21 +2,24 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/scenes.h"
 #include "state/commands.h"
 #include "state/counts.h"
 #include "state/diagram.h"
+#include "state/folding.h"
 #include "support/scenes.h"
 
 namespace raytree::inspector {
 namespace {
 
-State shown(Scene scene) {
+State shown(Scene scene, Pixel pixel = {40, 30}) {
     State state;
     state.show(test::opened(std::move(scene)));
-    state.pick({40, 30});
+    state.pick(pixel);
     state.poll(std::chrono::seconds(10));
     REQUIRE(state.tree());
     return state;
@@ -102,6 +105,77 @@ TEST_CASE("app: a diagram that is too wide for its room opens folded, and unfold
         run_command(state, "diagram.fold_less");
     }
     CHECK(state.tree_pane().fold_below == 0);
+}
+
+/// Rays and folded branches: what is not sent has a box of its own as well.
+std::ptrdiff_t ray_boxes(const PixelTree& tree, double fold) {
+    return std::ranges::count(diagram_of(tree.tree, fold).boxes, false, &DiagramBox::absent);
+}
+
+TEST_CASE("app: as much of a diagram is unfolded as has room, whatever the shares of its rays") {
+    Scene scene = test::glass_ball_scene();
+    scene.settings.max_depth = 9;
+    scene.settings.min_weight = 0;
+    scene.materials.front().kr = Colour(0.37);
+    scene.materials.front().kt = Colour(0.61);
+    const State state = shown(std::move(scene));
+    const PixelTree& tree = *state.tree();
+    std::set<double> shares;
+    for (const TreeRay<double>& ray : tree.tree.rays) {
+        shares.insert(largest_component(ray.weight));
+    }
+    REQUIRE(shares.size() > 6);
+    const double whole = diagram_of(tree.tree).width;
+    for (const double part : {0.25, 0.4, 0.6, 0.9}) {
+        TreePane pane;
+        pane.room = part * whole;
+        const double fold = fold_of(tree, pane);
+        CHECK(diagram_of(tree.tree, fold).width <= pane.room);
+        const auto lighter = std::ranges::find_if(shares.rbegin(), shares.rend(),
+                                                  [&](double share) { return share < fold; });
+        REQUIRE(lighter != shares.rend());
+        CHECK(diagram_of(tree.tree, *lighter).width > pane.room);
+    }
+}
+
+TEST_CASE("app: each step of folding is worth taking, and goes back") {
+    Scene scene = test::glass_ball_scene();
+    scene.settings.max_depth = 9;
+    scene.settings.min_weight = 0;
+    const State state = shown(std::move(scene));
+    const PixelTree& tree = *state.tree();
+    std::optional<double> fold = 0;
+    std::vector<std::ptrdiff_t> boxes;
+    for (; fold; fold = fold_more(tree, *fold)) {
+        boxes.push_back(ray_boxes(tree, *fold));
+        if (const auto less = fold_less(tree, *fold); less && *fold > 0) {
+            CHECK(ray_boxes(tree, *less) > boxes.back());
+        }
+    }
+    REQUIRE(boxes.size() > 3);
+    CHECK(boxes.back() <= 3);  // the root and its folded branches
+    for (std::size_t k = 1; k < boxes.size(); ++k) {
+        CHECK(boxes[k] < boxes[k - 1]);
+        if (k + 1 < boxes.size()) {
+            CHECK(4 * boxes[k] <= 3 * boxes[k - 1]);
+        }
+    }
+}
+
+TEST_CASE("app: branches of one share are folded together") {
+    // Reflected and refracted rays weigh alike on every level.
+    Scene scene = test::deep_scene();
+    scene.settings.max_depth = 5;
+    const State state = shown(std::move(scene), {3, 2});
+    const PixelTree& tree = *state.tree();
+    const double all = largest_component(tree.tree.rays[1].weight);
+    for (double fold = 0; fold_more(tree, fold); fold = *fold_more(tree, fold)) {
+        for (const TreeRay<double>& ray : tree.tree.rays) {
+            const double share = largest_component(ray.weight);
+            const bool on_the_edge = fold > 0 && std::abs(share - fold) < 1e-9 * all;
+            CHECK_FALSE((on_the_edge && share < fold));
+        }
+    }
 }
 
 TEST_CASE("app: a tree with very many rays is folded by itself") {

@@ -155,6 +155,44 @@ TEST_CASE("the diagram has a box for each ray and each branch that was not sent"
     CHECK(diagram.boxes[4].lines == std::vector<std::string>{"total internal", "reflection"});
 }
 
+TEST_CASE("many lights stand close together, and those not asked for one reason are one") {
+    RayTree<double> tree = test::example_tree();
+    TreeRay<double>& root = tree.rays[0];
+    std::erase_if(root.skipped, [](const Skipped& s) { return s.kind == RayKind::shadow; });
+    for (int k = 0; k < 9; ++k) {
+        root.skipped.push_back(
+            {RayKind::shadow, "lamp " + std::to_string(k), Reason::light_behind_surface});
+    }
+    root.skipped.push_back({RayKind::shadow, "other", Reason::surface_unlit});
+    const Diagram diagram = diagram_of(tree);
+    const DiagramBox& box = diagram.boxes[0];
+    REQUIRE(box.lights.size() == 3);
+    CHECK(box.lights[1].light == "9 lights");
+    CHECK(box.lights[1].fate == "light behind surface");
+    for (int k = 0; k < 9; ++k) {  // each of them is named in its sentence
+        CHECK(box.lights[1].tooltip.find("lamp " + std::to_string(k)) != std::string::npos);
+    }
+    CHECK(root.skipped[box.lights[1].skipped.value()].light == "lamp 8");
+    CHECK(box.lights[2].light == "other");
+    CHECK(box.light_row == DiagramSizes::light_row);
+
+    // Of three each one has a row of its own, and of many rows each is one line.
+    std::erase_if(root.skipped, [](const Skipped& s) { return s.light > "lamp 2"; });
+    for (int k = 0; k < 3; ++k) {
+        root.skipped.push_back(
+            {RayKind::shadow, "lantern " + std::to_string(k), Reason::surface_unlit});
+    }
+    const Diagram more = diagram_of(tree);
+    REQUIRE(more.boxes[0].lights.size() == 7);
+    CHECK(more.boxes[0].light_row == DiagramSizes::light_line);
+    for (const LightRow& row : more.boxes[0].lights) {  // name and fate side by side
+        CHECK(text_width(row.light, DiagramSizes::font) < more.boxes[0].fate_x);
+        CHECK(DiagramSizes::light_indent + more.boxes[0].fate_x +
+                  text_width(row.fate, DiagramSizes::font) <=
+              more.boxes[0].lights_width + 1e-9);
+    }
+}
+
 TEST_CASE("what a surface does not do is a note on it, not a ray that was not sent") {
     RayTree<double> tree = test::example_tree();
     TreeRay<double>& ray = tree.rays[3];

@@ -1,5 +1,6 @@
 #include "state/command_groups.h"
 #include "state/diagram.h"
+#include "state/folding.h"
 
 namespace raytree::inspector {
 namespace {

@@ -5,17 +5,8 @@
 #include "formats/tree_diagram.h"
 #include "state/state.h"
 
-/// The drawing of a ray tree: how much of it is folded, and where its rays are in it.
+/// The drawing of a ray tree: where its rays are in it.
 namespace raytree::inspector {
-
-/// The share of the pixel below which branches are folded: the one that is wished for or, where
-/// too many boxes would be left, a larger one. Infinite: all branches are folded.
-double fold_of(const PixelTree& tree, double wish);
-/// The same as the pane says.
-double fold_of(const PixelTree& tree, const TreePane& pane);
-/// The next larger and smaller one; none where nothing more can be folded or unfolded.
-std::optional<double> fold_more(const PixelTree& tree, double wish);
-std::optional<double> fold_less(const PixelTree& tree, double wish);
 
 /// In the diagram's units, y down.
 struct DiagramPlace {

@@ -3,11 +3,10 @@
 namespace raytree::inspector {
 namespace {
 
-/// Whether it is known by now that this ray, or this light's, is not sent.
-bool is_decided(const Playback& playback, const TreeRay<double>& ray, RayKind kind,
-                const std::string& light) {
+/// Whether it is known by now that this branch is not sent.
+bool is_decided(const Playback& playback, const TreeRay<double>& ray, RayKind kind) {
     for (std::size_t k = 0; k < ray.skipped.size(); ++k) {
-        if (ray.skipped[k].kind == kind && ray.skipped[k].light == light) {
+        if (ray.skipped[k].kind == kind) {
             return playback.decided(ray.id, k);
         }
     }
@@ -15,7 +14,7 @@ bool is_decided(const Playback& playback, const TreeRay<double>& ray, RayKind ki
 }
 
 bool has_happened(const Playback& playback, const DiagramBox& box) {
-    return box.absent ? is_decided(playback, *box.ray, box.branch, "")
+    return box.absent ? is_decided(playback, *box.ray, box.branch)
                       : playback.stage(box.ray->id) != Stage::unsent;
 }
 
@@ -74,9 +73,8 @@ std::vector<BoxLook> box_looks(const Diagram& diagram, const PixelTree& tree,
         }
         for (const LightRow& light : box.lights) {
             look.hidden_lights.push_back(
-                playback &&
-                (light.ray ? playback->stage(*light.ray) == Stage::unsent
-                           : !is_decided(*playback, *box.ray, RayKind::shadow, light.light)));
+                playback && (light.ray ? playback->stage(*light.ray) == Stage::unsent
+                                       : !playback->decided(box.ray->id, *light.skipped)));
             look.light_marks.push_back(light.ray ? tree.mark(*light.ray) : RayMark::none);
         }
         looks.push_back(std::move(look));

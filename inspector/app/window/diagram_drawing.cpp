@@ -30,7 +30,7 @@ bool has(const std::vector<bool>& rays, const Box& box) {
 
 QRectF extent_of(const Box& box) {
     const QRectF frame = rectangle(frame_of(box));
-    const double lights = Sizes::light_row * static_cast<double>(box.lights.size());
+    const double lights = box.light_row * static_cast<double>(box.lights.size());
     return {frame.left(), frame.top() - Sizes::label, box.card_width + box.lights_width,
             Sizes::label + std::max(frame.height(), lights)};
 }
@@ -245,7 +245,7 @@ void DiagramDrawing::draw_light(const Box& box, std::size_t row) {
     const Ink ink = absent ? palette_.dim_text : palette_[look_of_light(light.state)];
     const QRectF frame = rectangle(frame_of(box));
     const QPointF lamp(frame.right() + Sizes::light_indent - 9,
-                       frame.top() + Sizes::light_row * static_cast<double>(row) + 9);
+                       frame.top() + box.light_row * static_cast<double>(row) + 9);
     use({ink, 1.5, absent ? Qt::DotLine : Qt::DashLine});
     const double from = std::min(lamp.y(), frame.bottom() - 6);
     painter_.drawPolyline(QPolygonF({{frame.right() + 1, from},
@@ -264,7 +264,7 @@ void DiagramDrawing::draw_light(const Box& box, std::size_t row) {
     const std::string_view sign = text_of(look(box).light_marks[row]).sign;
     const QString before = sign.empty() ? QString() : qt(sign) + QLatin1Char(' ');
     write(line, before + qt(light.light), {words, true, false});
-    write(line.translated(0, 12), qt(light.fate), {words, false, true});
+    write(line.translated(box.fate_x, box.fate_y), qt(light.fate), {words, false, true});
 }
 
 void DiagramDrawing::mark(DiagramSpot spot) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "state/emphasis.h"
+#include "state/folding.h"
 #include "tree/explain.h"
 #include "window/diagram_drawing.h"
 #include "window/qt_text.h"
