@@ -12,6 +12,7 @@
 #include "state/diagram_looks.h"
 #include "state/marked_texts.h"
 #include "state/recent.h"
+#include "tree/explain.h"
 #include "tree/record.h"
 
 namespace raytree::inspector {
@@ -155,6 +156,32 @@ TEST_CASE("app: a ray too many is extra") {
     test::run_and_wait(state, "compare.file", file.path.string());
     CHECK(state.tree()->grafted == 0);
     CHECK(count(state, RayMark::extra) == more);
+}
+
+TEST_CASE("app: a ray too many is extra, whatever else is wrong with it") {
+    PixelTree shown;
+    shown.tree = true_tree(test::glass_ball_scene());
+    shown.children = children_of(shown.tree);
+    const std::size_t ray = first_of(shown.tree, RayKind::refracted);
+    Contrast contrast;
+    contrast.what = Contrast::What::file;
+    contrast.other = shown.tree;
+    for (const TreeRay<double>& one : shown.tree.rays) {
+        contrast.counterparts.emplace_back(one.id);
+    }
+    check::Finding differs, extra;
+    differs.ray = extra.ray = ray;
+    differs.kind = extra.kind = RayKind::refracted;
+    extra.problem = check::Problem::extra;
+    extra.reason = "total internal reflection";
+    for (const auto& findings : {std::vector{differs, extra}, std::vector{extra, differs}}) {
+        Contrast marked = contrast;
+        check::Report report;
+        report.findings = findings;
+        mark_by_findings(shown, marked, report, true);
+        CHECK(marked.marks[ray] == RayMark::extra);
+        CHECK(marked.lines.size() == 2);  // and both are said
+    }
 }
 
 TEST_CASE("app: a tree of bare numbers is shown with what it gives and no more") {

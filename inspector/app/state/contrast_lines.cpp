@@ -133,7 +133,9 @@ void mark_by_findings(const PixelTree& shown, Contrast& contrast, const check::R
             ray = place_of_missing(shown, ray, finding);
         }
         RayMark& drawn = contrast.marks[ray];
-        if (drawn == RayMark::same || (drawn == RayMark::follows && mark == RayMark::different)) {
+        // That a ray should not be there says more than what else is wrong with it.
+        if (drawn == RayMark::same || mark == RayMark::extra ||
+            (drawn == RayMark::follows && mark == RayMark::different)) {
             drawn = mark;
         }
         auto& list = finding.follows_from ? following : contrast.lines;
