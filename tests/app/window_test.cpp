@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -39,9 +40,13 @@ class WindowTest : public test::ShownWindow {
         const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
         return model->row(window_->outline_pane().currentIndex()).ray;
     }
-    void check_linked(std::size_t ray) const {
+    /// The ray is selected everywhere, in the outline as soon as that is seen, too.
+    void check_linked(std::size_t ray) {
         QCOMPARE(state_.selected()->id, ray);
+        const TreePane pane = state_.tree_pane();
+        run_command(state_, "tab.outline");
         QCOMPARE(outline_ray(), ray);
+        state_.change_tree_pane(pane);
         QVERIFY(window_->details_pane().toPlainText().contains(QStringLiteral("#%1").arg(ray)));
     }
 
@@ -275,6 +280,20 @@ class WindowTest : public test::ShownWindow {
         QTest::keyClick(&diagram, Qt::Key_Plus);
         QVERIFY(diagram.zoom() > before);
         run_command(state_, "tab.outline");
+    }
+
+    void the_outline_does_nothing_until_it_is_seen() {
+        run_command(state_, "tab.counts");
+        const auto* model = static_cast<const OutlineModel*>(window_->outline_pane().model());
+        const QSignalSpy renewed(model, &QAbstractItemModel::modelReset);
+        state_.pick({41, 31});
+        QTRY_VERIFY(state_.tree());
+        state_.select(1);
+        QCOMPARE(renewed.count(), 0);
+        run_command(state_, "copy.table");  // what is copied is of now
+        QVERIFY(renewed.count() > 0);
+        run_command(state_, "tab.outline");
+        QCOMPARE(outline_ray(), std::size_t{1});
     }
 
     void tabs_take_no_room_and_follow_the_state() {

@@ -7,6 +7,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "state/commands.h"
 #include "window/qt_text.h"
@@ -80,20 +81,35 @@ OutlinePane::OutlinePane(inspector::State& state, QWidget* parent)
 }
 
 void OutlinePane::obey(const Changes& changes) {
-    if (changes.table) {
-        show_columns();
-    }
-    if (changes.tree || changes.look || changes.document || changes.table || changes.playback) {
-        show_tree();
-    }
-    if (changes.selection || changes.look || changes.table || changes.playback) {
-        show_selection();
+    stale_columns_ |= changes.table;
+    stale_tree_ |=
+        changes.tree || changes.look || changes.document || changes.table || changes.playback;
+    stale_selection_ |= changes.selection || changes.look || changes.table || changes.playback;
+    if (isVisible()) {
+        renew();
     }
     if (changes.request == Request::choose_columns) {
         choose_columns(header()->mapToGlobal(QPoint(8, header()->height())));
     } else if (changes.request == Request::copy_rows || changes.request == Request::copy_table) {
         copy(changes.request == Request::copy_table);
     }
+}
+
+void OutlinePane::renew() {
+    if (std::exchange(stale_columns_, false)) {
+        show_columns();
+    }
+    if (std::exchange(stale_tree_, false)) {
+        show_tree();
+    }
+    if (std::exchange(stale_selection_, false)) {
+        show_selection();
+    }
+}
+
+void OutlinePane::showEvent(QShowEvent* event) {
+    QTreeView::showEvent(event);
+    renew();
 }
 
 void OutlinePane::show_tree() {
@@ -172,6 +188,7 @@ void OutlinePane::copy(bool all) {
     if (!state_.tree()) {
         return;
     }
+    renew();
     const PixelTree& tree = *state_.tree();
     const Table& table = state_.table();
     std::vector<std::size_t> rays(tree.tree.rays.size());

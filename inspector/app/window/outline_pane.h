@@ -20,6 +20,7 @@ class OutlinePane : public QTreeView {
 
   protected:
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+    void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void drawRow(QPainter* painter, const QStyleOptionViewItem& option,
@@ -27,6 +28,7 @@ class OutlinePane : public QTreeView {
 
   private:
     void obey(const Changes& changes);
+    void renew();
     void show_tree();
     void show_selection();
     void show_columns();
@@ -39,6 +41,8 @@ class OutlinePane : public QTreeView {
 
     inspector::State& state_;  // not QAbstractItemView::State
     OutlineModel* model_;
+    /// What has changed since it was last seen.
+    bool stale_columns_ = false, stale_tree_ = false, stale_selection_ = false;
     bool brief_ = false;      ///< as the model writes texts: in a narrow pane
     bool following_ = false;  ///< while the selection is taken over from the state
 };
