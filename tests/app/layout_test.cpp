@@ -411,6 +411,24 @@ class LayoutTest : public test::ShownWindow {
         run_command(state_, "lesson.close");
     }
 
+    /// With any font: beside a lesson and a pane there is little room.
+    void no_tab_is_cut_between_three_columns() {
+        window_->resize(1280, 800);
+        state_.set_lesson_folder(RAYTREE_LESSONS);
+        run_command(state_, "lesson.open", lesson::lesson_names(RAYTREE_LESSONS).front());
+        state_.show_side(SidePane::change);
+        QTRY_VERIFY(state_.tree());
+        QTest::qWait(50);
+        const auto* const tabs = window_->findChild<FittingTabs*>();
+        QVERIFY(tabs->sizeHint().width() <= tabs->width());
+        for (int k = 0; k < tabs->count(); ++k) {
+            QVERIFY(!tabs->tabText(k).isEmpty() || !tabs->tabIcon(k).isNull());
+            QVERIFY(!tabs->tabText(k).isEmpty() || !tabs->tabToolTip(k).isEmpty());
+        }
+        state_.show_side(SidePane::none);
+        run_command(state_, "lesson.close");
+    }
+
     /// The button at the end of a menu bar that has no room for all of its menus.
     void the_arrows_to_further_menus_are_seen_in_both_themes() {
         const auto* button =

@@ -17,17 +17,28 @@ void FittingTabs::add(const QString& title, const QString& brief) {
     addTab(title);
 }
 
-void FittingTabs::write(const QStringList& titles) {
+void FittingTabs::set_icons(const QList<QIcon>& icons) {
+    icons_ = icons;
+    fit();
+}
+
+void FittingTabs::write(const QStringList& titles, bool with_icons) {
     for (int k = 0; k < count(); ++k) {
-        setTabText(k, titles[k]);
-        setTabToolTip(k, titles[k] == titles_[k] ? QString() : titles_[k]);
+        setTabText(k, with_icons ? QString() : titles[k]);
+        setTabIcon(k, with_icons ? icons_.value(k) : QIcon());
+        setTabToolTip(k, tabText(k) == titles_[k] ? QString() : titles_[k]);
     }
 }
 
 void FittingTabs::fit() {
-    write(titles_);
+    const int height = fontMetrics().height();
+    setIconSize({height, height});
+    write(titles_, false);
     if (sizeHint().width() > width()) {
-        write(brief_);
+        write(brief_, false);
+    }
+    if (sizeHint().width() > width() && !icons_.isEmpty()) {
+        write(titles_, true);
     }
 }
 

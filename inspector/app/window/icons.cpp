@@ -203,6 +203,40 @@ const std::map<std::string_view, Draw>& command_drawings() {
                                        {9, 4.5},
                                        {9, 15}}));
          }},
+        {"tab.outline",
+         [](QPainter& p) {
+             for (const auto& [y, x] : {std::pair(3.5, 2.5), std::pair(7.5, 5.5),
+                                        std::pair(11.0, 8.5), std::pair(14.5, 5.5)}) {
+                 p.drawLine(QPointF(x, y), QPointF(15.5, y));
+             }
+         }},
+        {"tab.diagram",
+         [](QPainter& p) {
+             p.drawRect(QRectF(6.5, 2.5, 5, 4));
+             p.drawRect(QRectF(2, 11.5, 5, 4));
+             p.drawRect(QRectF(11, 11.5, 5, 4));
+             p.drawPolyline(QPolygonF({{4.5, 11.5}, {4.5, 9}, {13.5, 9}, {13.5, 11.5}}));
+             p.drawLine(QPointF(9, 6.5), QPointF(9, 9));
+         }},
+        {"tab.counts",
+         [](QPainter& p) {
+             p.drawLine(QPointF(2.5, 15.5), QPointF(15.5, 15.5));
+             for (const auto& [x, y] :
+                  {std::pair(4.5, 9.5), std::pair(9.0, 3.0), std::pair(13.5, 7.0)}) {
+                 p.drawRect(QRectF(x - 1, y, 2, 15.5 - y));
+             }
+         }},
+        {"tab.filter",
+         [](QPainter& p) {
+             p.drawPolygon(
+                 QPolygonF({{2.5, 3}, {15.5, 3}, {10.8, 9}, {10.8, 13}, {7.2, 15.5}, {7.2, 9}}));
+         }},
+        {"tab.explained",
+         [](QPainter& p) {
+             p.drawEllipse(QPointF(9, 9), 6.5, 6.5);
+             p.drawLine(QPointF(9, 8.5), QPointF(9, 12.5));
+             p.drawPoint(QPointF(9, 5.7));
+         }},
         {"look.dark",
          [](QPainter& p) {
              QPainterPath moon;

@@ -17,6 +17,7 @@
 #include "window/filter_pane.h"
 #include "window/fitting_label.h"
 #include "window/fitting_tabs.h"
+#include "window/icons.h"
 #include "window/lesson_pane.h"
 #include "window/main_window.h"
 #include "window/outline_pane.h"
@@ -68,6 +69,17 @@ void MainWindow::add_tree_dock() {
         tree_panes_->addWidget(pane);
     }
     tabs_ = tabs;
+    state_.observe([this, tabs](const Changes& changes) {
+        if (changes.look || changes.document) {
+            const Palette& palette = palette_of(state_.look().theme);
+            QList<QIcon> icons;
+            for (const char* const id :
+                 {"tab.outline", "tab.diagram", "tab.counts", "tab.filter", "tab.explained"}) {
+                icons << command_icon(id, palette);
+            }
+            tabs->set_icons(icons);
+        }
+    });
     connect(tabs_, &QTabBar::currentChanged, this, [this](int tab) {
         if (tab != static_cast<int>(state_.tree_pane().tab)) {
             TreePane pane = state_.tree_pane();
