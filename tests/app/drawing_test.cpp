@@ -8,6 +8,7 @@
 #include "drawing/polygon_fill.h"
 #include "drawing/ray_mesh.h"
 #include "drawing/scene_mesh.h"
+#include "support/scenes.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 
@@ -194,6 +195,26 @@ TEST_CASE("app: the extent is of what is seen, not of a floor that goes on for e
     CHECK(extent.seen.contains({0, 1, 0}));
     CHECK(extent.plane_distance > 0);
     CHECK(extent.plane_distance < 5);
+}
+
+TEST_CASE("app: things far behind others count where they take a good part of the picture") {
+    Scene scene = test::glass_ball_scene();
+    scene.objects.clear();
+    scene.camera.eye = {0, 0, 0};
+    scene.camera.look_at = {0, 0, -1};
+    raytree::test::add(scene, Sphere{{0.3, 0, -2}, 0.5}, 0);
+    const auto with_balls = [&](double radius) {
+        Scene both = scene;
+        for (const double x : {-8.0, -4.0}) {
+            raytree::test::add(both, Sphere{{x, 1, -24}, radius}, 0);
+        }
+        return extent_of(*test::document_of(std::move(both)));
+    };
+    const Extent large = with_balls(3), small = with_balls(0.3);
+    CHECK(large.seen.contains({-4, 1, -24}));
+    CHECK(large.seen.contains({0.3, 0, -2}));
+    CHECK_FALSE(small.seen.contains({-4, 1, -24}));
+    CHECK(small.diagonal < 4);
 }
 
 TEST_CASE("app: a scene without anything to see still has an extent") {

@@ -208,8 +208,9 @@ class Builder {
 
     /// How firmly a volume is filled: one around all that is seen would tint the whole view.
     std::uint8_t filling(double size) const {
-        const double share = std::clamp(size / extent_.diagonal, 0.25, 1.0);
-        return static_cast<std::uint8_t>(share < 1 ? 10 / share : 5);
+        constexpr double firmest = 40, small = 0.25;  // a volume of that share of what is seen
+        const double share = std::clamp(size / extent_.diagonal, small, 1.0);
+        return static_cast<std::uint8_t>(firmest * std::pow(small / share, 1.5));
     }
 
     /// Walls fade with the distance from what throws them, and many of them are fainter each: they
