@@ -157,6 +157,23 @@ QString OutlineModel::widest_ray() const {
                              (tree_->bounds ? "   ≈ in doubt" : "")));
 }
 
+QString OutlineModel::widest_met() const {
+    std::string_view longest = "nothing";
+    const auto meets = [&](const std::string& name) {
+        longest = name.size() > longest.size() ? std::string_view(name) : longest;
+    };
+    if (tree_) {
+        for (const TreeRay<double>& ray : tree_->tree.rays) {
+            if (ray.hit) {
+                meets(ray.hit->object);
+            } else if (ray.shadow && ray.shadow->blocked_by) {
+                meets(ray.shadow->blocked_by->object);
+            }
+        }
+    }
+    return qt(longest) + QStringLiteral(", back");
+}
+
 QVariant OutlineModel::icon(const OutlineRow& row, Column column) const {
     const Palette& palette = palette_of(theme_);
     if (column == Column::ray) {

@@ -25,6 +25,8 @@ class OutlineModel : public QAbstractItemModel {
     void set_brief(bool brief) { brief_ = brief; }
     /// As long as the first column's texts become, without the names of lights that are too long.
     QString widest_ray() const;
+    /// As long as the longest name that a ray meets.
+    QString widest_met() const;
     QModelIndex index_of_ray(std::size_t ray) const;
     OutlineRow row(const QModelIndex& index) const;
 

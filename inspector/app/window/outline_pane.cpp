@@ -29,8 +29,8 @@ int indentation_for(const PixelTree* tree) {
 
 constexpr int around_text = 16;  // pixels: a cell's padding and margins
 
-/// Names of objects are shortened, the other texts are not: what is left for names at least where
-/// everything is written out.
+/// Long names of objects are shortened, the other texts are not: what is left for names at least
+/// where everything is written out.
 constexpr int wanted_letters = 20;
 
 /// Leaves to `drawRow` what becomes of rays that were not sent.
@@ -292,7 +292,9 @@ int OutlinePane::left_for_names(bool brief) {
 /// Beyond the pane's edge is nothing, as long as there is room for a few letters of each name; from
 /// there on the pane scrolls, and has names as well as the rest written out.
 void OutlinePane::size_columns() {
-    const int wanted = wanted_letters * fontMetrics().averageCharWidth();
+    const int wanted =
+        std::min(wanted_letters * fontMetrics().averageCharWidth(),
+                 fontMetrics().horizontalAdvance(model_->widest_met()) + around_text);
     int rest = left_for_names(false);
     if (rest < wanted) {
         rest = left_for_names(true);
