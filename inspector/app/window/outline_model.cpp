@@ -142,19 +142,30 @@ QString OutlineModel::widest_ray() const {
     if (!tree_) {
         return {};
     }
-    std::string name;
-    for (const Light& light : state_->document()->scene().lights) {
-        if (light.name.size() > name.size() && light.name.size() <= longest_name) {
-            name = light.name;
+    std::string sent = "refracted", unsent;
+    const auto add_shadow = [&](std::string& widest, const std::string& light) {
+        if (light.size() <= longest_name && light.size() + 9 > widest.size()) {
+            widest = "shadow → " + light;
+        }
+    };
+    for (const TreeRay<double>& ray : tree_->tree.rays) {
+        if (ray.shadow) {
+            add_shadow(sent, ray.shadow->light);
+        }
+        for (const Skipped& skipped : ray.skipped) {
+            if (skipped.kind == RayKind::shadow) {
+                add_shadow(unsent, skipped.light);
+            }
         }
     }
     const std::size_t last = tree_->tree.rays.size() - 1;
     const bool cut = tree_->contrast && tree_->contrast->what == Contrast::What::cut;
     const std::string mark = mark_text(cut ? RayMark::cut : RayMark::missing);
-    return signed_briefly(qt((tree_->grafted > 0 ? "(#" : "#") + std::to_string(last) +
-                             (tree_->grafted > 0 ? ")" : "") + "  shadow → " + name +
-                             (tree_->contrast ? "   " + mark : "") +
-                             (tree_->bounds ? "   ≈ in doubt" : "")));
+    const QString numbered = signed_briefly(
+        qt((tree_->grafted > 0 ? "(#" : "#") + std::to_string(last) +
+           (tree_->grafted > 0 ? ")" : "") + "  " + sent + (tree_->contrast ? "   " + mark : "") +
+           (tree_->bounds ? "   ≈ in doubt" : "")));
+    return numbered.size() > qt(unsent).size() ? numbered : qt(unsent);
 }
 
 QString OutlineModel::widest_met() const {

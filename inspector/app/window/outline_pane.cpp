@@ -240,7 +240,7 @@ int OutlinePane::width_for(Column column) const {
             return of(brief_ ? "0.00 0.00 0.00" : "0.000  0.000  0.000") + 24;
         case Column::t:
         case Column::attenuation:
-            return std::max(of("0.0001234"), of("1.234e-5"));
+            return std::max(of(brief_ ? "0.001234" : "0.0001234"), of("1.234e-5"));
         case Column::met:
             return of(state_.tree() && state_.tree()->recorded ? "not given" : "the light");
         case Column::ended:

@@ -23,6 +23,11 @@ Point3 middle_of(const std::vector<Point3>& points) {
     return points.empty() ? sum : sum / static_cast<double>(points.size());
 }
 
+bool is_outside(const View& view, const Point3& p) {
+    const WordBox whole{0, 0, static_cast<double>(view.width), static_cast<double>(view.height)};
+    return edge_place(view, whole, p).has_value();
+}
+
 /// Halfway along a ray, or near its start where it has no end.
 Point3 along_way(const TreeRay<double>& ray, const Extent& extent) {
     const double way = ray.hit                                ? ray.hit->t / 2
@@ -101,14 +106,13 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     if (state.thing() && state.thing()->kind == Thing::Kind::object) {
         const QString name = qt(name_of(scene, *state.thing()));
         const Point3 at = middle_of(corners_of(*state.document(), extent, *state.thing()));
-        const WordBox whole{0, 0, static_cast<double>(view.width),
-                            static_cast<double>(view.height)};
-        const auto part = edge_place(view, whole, at)
-                              ? seen_point(*state.document(), view, *state.thing())
-                              : std::nullopt;
+        const auto part = is_outside(view, at) ? seen_point(*state.document(), view, *state.thing())
+                                               : std::nullopt;
         labels.push_back({part.value_or(at), name, true, std::nullopt, name});
     }
-    const QString away = ray && !state.thing() ? qt(title_of(*ray)) : QString();
+    // One that is seen to go out of the view needs no arrow.
+    const bool from_outside = ray && ray->parent && is_outside(view, ray->origin);
+    const QString away = from_outside && !state.thing() ? qt(title_of(*ray)) : QString();
     if (ray && ray->hit) {
         if (object_named(scene, ray->hit->object) != state.thing()) {
             labels.push_back({ray->hit->point, qt(ray->hit->object), true, std::nullopt, away});
@@ -119,7 +123,7 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
                           qt(ray->shadow->blocked_by->object), true, std::nullopt, away});
-    } else if (ray && ray->parent) {
+    } else if (ray) {
         labels.push_back({ray->origin, QString(), true, std::nullopt, away});
     }
     for (const ExplainedMark& mark : explained_marks(state, extent)) {
