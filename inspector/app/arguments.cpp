@@ -72,6 +72,7 @@ void take_option(Arguments& arguments, const std::string& option, const std::str
         arguments.window.contact_sheet = value;
     } else if (option == "--script") {
         arguments.window.script = lines_of(read_input(value));
+        arguments.window.script_file = value;
     } else if (option == "--size") {
         std::tie(arguments.window.width, arguments.window.height) = size_from(value);
     } else if (option == "--theme") {

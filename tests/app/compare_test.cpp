@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/scenes.h"
 #include "formats/tree_json.h"
@@ -158,7 +159,8 @@ TEST_CASE("app: a ray too many is extra") {
     CHECK(count(state, RayMark::extra) == more);
 }
 
-TEST_CASE("app: a ray too many is extra, whatever else is wrong with it") {
+TEST_CASE(
+    "app: a ray that the true tree has is not called extra, one that it has not is no other") {
     PixelTree shown;
     shown.tree = true_tree(test::glass_ball_scene());
     shown.children = children_of(shown.tree);
@@ -169,18 +171,53 @@ TEST_CASE("app: a ray too many is extra, whatever else is wrong with it") {
     for (const TreeRay<double>& one : shown.tree.rays) {
         contrast.counterparts.emplace_back(one.id);
     }
+    check::Report report;
+    report.ids.resize(shown.tree.rays.size(), "a");
     check::Finding differs, extra;
     differs.ray = extra.ray = ray;
     differs.kind = extra.kind = RayKind::refracted;
     extra.problem = check::Problem::extra;
-    extra.reason = "total internal reflection";
+    extra.reason = "total internal reflection";  // by the numbers of the file
     for (const auto& findings : {std::vector{differs, extra}, std::vector{extra, differs}}) {
-        Contrast marked = contrast;
-        check::Report report;
         report.findings = findings;
-        mark_by_findings(shown, marked, report, true);
-        CHECK(marked.marks[ray] == RayMark::extra);
-        CHECK(marked.lines.size() == 2);  // and both are said
+        Contrast both = contrast;
+        mark_by_findings(shown, both, report, true);
+        CHECK(both.marks[ray] == RayMark::different);
+        Contrast alone = contrast;
+        alone.counterparts[ray].reset();
+        mark_by_findings(shown, alone, report, true);
+        CHECK(alone.marks[ray] == RayMark::extra);
+        REQUIRE(alone.lines.size() == 2);
+        for (const ContrastLine& line : alone.lines) {  // the sign is that of the views
+            CHECK(line.mark == RayMark::extra);
+            // And so is the number, with the file's own beside it.
+            CHECK(line.text.starts_with("ray #" + std::to_string(ray) + " (the file's a)"));
+        }
+    }
+}
+
+TEST_CASE("app: a file without shadow rays is not told to lack them, on either side") {
+    const Scene scene = test::glass_ball_scene();
+    std::string text = write_tree_json(true_tree(scene), &scene);
+    nlohmann::json tree = nlohmann::json::parse(text);
+    auto& rays = tree["rays"];
+    for (std::size_t k = rays.size(); k-- > 0;) {
+        if (rays[k]["kind"] == "shadow") {
+            rays.erase(k);
+        }
+    }
+    tree.erase("counts");
+    const TreeFile file(tree.dump());
+    State state;
+    test::run_and_wait(state, "file.open", file.path.string());
+    for (int side = 0; side < 2; ++side) {
+        REQUIRE(state.tree()->contrast);
+        CHECK(count(state, RayMark::missing) + count(state, RayMark::extra) == 0);
+        const auto& remarks = state.tree()->contrast->remarks;
+        CHECK(std::ranges::any_of(remarks, [](const std::string& remark) {
+            return remark.find("no shadow rays") != std::string::npos;
+        }));
+        test::run_and_wait(state, "compare.swap");
     }
 }
 

@@ -303,6 +303,72 @@ class FlowsTest : public test::ShownWindow {
         QVERIFY(!menu->actions().at(1)->isEnabled());
     }
 
+    void saving_over_what_somebody_else_has_written_asks_first() {
+        const auto file = path("shared.json");
+        write(file, write_scene_json(test::glass_ball_scene()));
+        window_->open(QString::fromStdString(file.string()));
+        QTRY_VERIFY(state_.tree());
+        run_command(state_, "change.set", "/settings/max_depth 2");
+        Scene theirs = test::glass_ball_scene();
+        theirs.settings.max_depth = 9;
+        write(file, write_scene_json(theirs));
+        const auto depth_on_disk = [&] {
+            return open_file(file).document->scene().settings.max_depth;
+        };
+        for (const QString& answer : {QStringLiteral("Cancel"), QStringLiteral("Overwrite")}) {
+            QTimer hand;
+            QString told;
+            connect(&hand, &QTimer::timeout, this, [&] {
+                auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                for (QAbstractButton* const button :
+                     box ? box->buttons() : QList<QAbstractButton*>()) {
+                    if (button->text().remove(QLatin1Char('&')) == answer) {
+                        hand.stop();
+                        told = box->text();
+                        button->click();
+                        break;
+                    }
+                }
+            });
+            hand.start(10);
+            QApplication::setActiveWindow(window_.get());
+            QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+            QVERIFY2(told.contains(QStringLiteral("has changed on disk")), qPrintable(told));
+            QCOMPARE(depth_on_disk(), answer == QStringLiteral("Cancel") ? 9 : 2);
+        }
+        // What was saved here is known: it is saved again without a word.
+        run_command(state_, "change.set", "/settings/max_depth 3");
+        QApplication::setActiveWindow(window_.get());
+        QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+        QCOMPARE(depth_on_disk(), 3);
+    }
+
+    void a_file_that_is_gone_is_told() {
+        const auto file = path("leaving.json");
+        write(file, write_scene_json(test::glass_ball_scene()));
+        window_->open(QString::fromStdString(file.string()));
+        QTRY_VERIFY(state_.tree());
+        std::filesystem::remove(file);
+        QTRY_VERIFY(
+            QString::fromStdString(state_.message()).contains(QStringLiteral("no longer on disk")));
+    }
+
+    void the_table_keeps_the_selection_when_the_scene_is_saved() {
+        const auto file = path("saved.json");
+        write(file, write_scene_json(test::glass_ball_scene()));
+        window_->open(QString::fromStdString(file.string()));
+        state_.pick({40, 30});
+        QTRY_VERIFY(state_.tree());
+        state_.select(2);
+        run_command(state_, "change.set", "/settings/max_depth 3");
+        QTRY_VERIFY(state_.tree() && !state_.working());
+        run_command(state_, "file.save");
+        const auto& outline = window_->outline_pane();
+        const auto* const model = static_cast<const OutlineModel*>(outline.model());
+        QVERIFY(outline.currentIndex().isValid());
+        QCOMPARE(model->row(outline.currentIndex()).ray, state_.selected()->id);
+    }
+
     void a_long_load_leaves_the_window_working_and_can_be_cancelled() {
         Scene many = test::glass_ball_scene();
         for (int k = 0; k < 60'000; ++k) {
@@ -320,12 +386,15 @@ class FlowsTest : public test::ShownWindow {
         connect(&beat, &QTimer::timeout, this,
                 [&] { longest = std::max(longest, since.restart()); });
         bool cancelled = false;
-        QTimer::singleShot(200, this, [&] {
+        QTimer hand;
+        connect(&hand, &QTimer::timeout, this, [&] {
             for (auto* const dialog : window_->findChildren<QProgressDialog*>()) {
+                hand.stop();
                 dialog->cancel();
                 cancelled = true;
             }
         });
+        hand.start(10);
         since.start();
         beat.start(5);
         window_->open(QString::fromStdString(path("many.json").string()));

@@ -30,6 +30,7 @@
 #include "view3d/scene_drawing.h"
 #include "window/details_pane.h"
 #include "window/files.h"
+#include "window/fitting_tabs.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
 #include "window/qt_text.h"
@@ -216,12 +217,9 @@ class HostileTest : public test::ShownWindow {
             const QString id = QStringLiteral("#%1").arg(state_.selected()->id);
             QVERIFY2(window_->details_pane().toPlainText().contains(id), after);
         }
-        const auto tabs = window_->findChildren<QTabBar*>();
-        const auto is_current = [&](const QTabBar* bar) {
-            return bar->tabText(1) == QStringLiteral("Diagram") &&
-                   bar->currentIndex() == static_cast<int>(state_.tree_pane().tab);
-        };
-        QVERIFY2(std::any_of(tabs.begin(), tabs.end(), is_current), after);
+        QVERIFY2(window_->findChild<FittingTabs*>()->currentIndex() ==
+                     static_cast<int>(state_.tree_pane().tab),
+                 after);
         const QColor ground = qt(palette_of(state_.look().theme).window);
         QVERIFY2(QApplication::palette().color(QPalette::Window) == ground, after);
     }

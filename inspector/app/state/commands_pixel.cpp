@@ -12,7 +12,17 @@ template <int by> bool can_go_back(const State& state) {
     return state.history().at(by).has_value();
 }
 
-void pick(State& state, std::string_view argument) { state.pick(pixel_from(argument)); }
+void pick(State& state, std::string_view argument) {
+    const Pixel pixel = pixel_from(argument);
+    if (!state.document()->contains(pixel)) {
+        const Camera& camera = state.document()->scene().camera;
+        throw InputError("", "pixel.pick",
+                         "pixel " + text_of(pixel) +
+                             " lies outside the picture; allowed are 0,0 to " +
+                             text_of(Pixel{camera.width - 1, camera.height - 1}));
+    }
+    state.pick(pixel);
+}
 
 constexpr Command table[] = {
     {"pixel.pick", "", "Choose pixel", "", "Shows the ray tree of pixel I,J.", Argument::pixel,

@@ -42,11 +42,20 @@ RayMark mark_of_graft(const Contrast& contrast) {
                                          : RayMark::missing;
 }
 
+/// Whether the file says nothing of such rays: then none of them is missing.
+bool leaves_out(const std::shared_ptr<const check::Submission>& recorded,
+                const TreeRay<double>& ray) {
+    return recorded && ray.shadow && !recorded->has_shadow_rays;
+}
+
 /// Marks what has no counterpart; all else is the same until it turns out not to be.
 void mark_presence(const PixelTree& shown, Contrast& contrast) {
     for (std::size_t ray = 0; ray < shown.tree.rays.size(); ++ray) {
         const bool graft = !shown.is_own(ray);
-        contrast.marks.push_back(graft                         ? mark_of_graft(contrast)
+        const bool left_out = leaves_out(contrast.other_recorded, shown.tree.rays[ray]) ||
+                              (graft && leaves_out(shown.recorded, shown.tree.rays[ray]));
+        contrast.marks.push_back(left_out                      ? RayMark::same
+                                 : graft                       ? mark_of_graft(contrast)
                                  : !contrast.counterparts[ray] ? mark_of_own(contrast)
                                  : contrast.what == What::cut  ? RayMark::none
                                                                : RayMark::same);
@@ -101,12 +110,27 @@ std::size_t place_of_missing(const PixelTree& shown, std::size_t parent,
         .value_or(parent);
 }
 
-RayMark mark_of(const check::Finding& finding) {
+/// A ray that should not be there by the file's own numbers may be in the true tree all the same.
+RayMark mark_of(const check::Finding& finding, bool in_both) {
     using check::Problem;
-    return finding.problem == Problem::missing ? RayMark::missing
-           : finding.problem == Problem::extra ? RayMark::extra
-           : finding.follows_from              ? RayMark::follows
-                                               : RayMark::different;
+    return finding.problem == Problem::missing             ? RayMark::missing
+           : finding.problem == Problem::extra && !in_both ? RayMark::extra
+           : finding.follows_from                          ? RayMark::follows
+                                                           : RayMark::different;
+}
+
+/// The report with the rays' numbers as the views have them, and beside them what the file calls
+/// them where that is something else.
+check::Report renumbered(const check::Report& report, const PixelTree& shown,
+                         const Contrast& contrast, const std::vector<std::size_t>& places) {
+    check::Report named = report;
+    for (std::size_t k = 0; k < named.ids.size(); ++k) {
+        const std::size_t ray = places.empty() ? k : places[k];
+        const std::string number = number_of(shown, contrast, ray);
+        std::string& id = named.ids[k];
+        id = number == "#" + id ? number : number + " (the file's " + id + ")";
+    }
+    return named;
 }
 
 void put_causes_first(Contrast& contrast) {
@@ -120,26 +144,34 @@ void mark_by_findings(const PixelTree& shown, Contrast& contrast, const check::R
                       bool of_shown) {
     mark_presence(shown, contrast);
     const auto places = of_shown ? std::vector<std::size_t>() : places_of_other(shown, contrast);
+    const check::Report named = renumbered(report, shown, contrast, places);
+    const auto& recorded = of_shown ? shown.recorded : contrast.other_recorded;
+    if (recorded && !recorded->has_shadow_rays) {
+        contrast.remarks.push_back("The file has no shadow rays: they are not judged.");
+    }
     std::vector<ContrastLine> following;
     for (const check::Finding& finding : report.findings) {
-        const std::string text = check::sentence(finding, report);
+        const std::string text = check::sentence(finding, named);
         if (finding.problem == check::Problem::whole) {
             contrast.remarks.push_back(text);
             continue;
         }
         std::size_t ray = of_shown ? finding.ray : places[finding.ray];
-        const RayMark mark = mark_of(finding);
+        const bool in_both = shown.is_own(ray) && contrast.counterparts[ray];
+        const RayMark mark = mark_of(finding, in_both);
         if (finding.problem == check::Problem::missing) {
             ray = place_of_missing(shown, ray, finding);
         }
         RayMark& drawn = contrast.marks[ray];
-        // That a ray should not be there says more than what else is wrong with it.
-        if (drawn == RayMark::same || mark == RayMark::extra ||
-            (drawn == RayMark::follows && mark == RayMark::different)) {
+        if (drawn == RayMark::same || (drawn == RayMark::follows && mark == RayMark::different)) {
             drawn = mark;
         }
         auto& list = finding.follows_from ? following : contrast.lines;
-        list.push_back({ray, finding.follows_from ? RayMark::follows : mark, text});
+        // What is said of a ray that only one of them has bears the sign of that.
+        const bool alone = drawn == RayMark::extra;
+        list.push_back({ray,
+                        alone || !finding.follows_from ? (alone ? drawn : mark) : RayMark::follows,
+                        text});
     }
     contrast.lines.insert(contrast.lines.end(), following.begin(), following.end());
     for (const check::NamedMistake& mistake : report.mistakes) {

@@ -1,9 +1,11 @@
 #include "window/files.h"
 
+#include <QAbstractButton>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <new>
 
@@ -53,6 +55,8 @@ bool Files::run(const Command& command, const std::string& file) {
         if (may_leave()) {
             read_again();
         }
+    } else if (command.id == "file.save" && has_changed_on_disk() && state_.own_file()) {
+        save_over();
     } else if (command.id == "compare.file") {
         compare(file);
     } else {
@@ -101,6 +105,27 @@ void Files::read_again() {
     }
 }
 
+/// Somebody else has written the file: their work is not overwritten without a word.
+void Files::save_over() {
+    QMessageBox box(
+        QMessageBox::Warning, QStringLiteral("raytree inspector"),
+        QStringLiteral("%1 has changed on disk since it was read.").arg(name_of(file())),
+        QMessageBox::Cancel, window_);
+    box.setInformativeText(QStringLiteral(
+        "Overwriting loses what is there; reading it again loses the changes made here."));
+    const QAbstractButton* const over =
+        box.addButton(QStringLiteral("Overwrite"), QMessageBox::DestructiveRole);
+    const QAbstractButton* const again =
+        box.addButton(QStringLiteral("Read again"), QMessageBox::ActionRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    if (box.clickedButton() == over) {
+        run_command(state_, "file.save");
+    } else if (box.clickedButton() == again) {
+        read_again();
+    }
+}
+
 void Files::compare(const Path& file) {
     try {
         if (const auto recorded = read(file, [=] { return read_recorded(file); })) {
@@ -118,6 +143,7 @@ bool Files::may_leave() {
     QMessageBox box(QMessageBox::Question, QStringLiteral("raytree inspector"),
                     QStringLiteral("The changes of %1 are not saved.").arg(name_of(file())),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    box.setInformativeText(QStringLiteral("Save them?"));
     box.setDefaultButton(QMessageBox::Save);
     const int answer = box.exec();
     if (answer == QMessageBox::Save) {
@@ -134,7 +160,7 @@ bool Files::may_leave() {
 void Files::obey(const Changes& changes) {
     if (changes.document || (changes.values && !state_.edits().unsaved())) {
         watch();
-        read_ = stamp();
+        read_ = shown_ = stamp();
     }
     if (changes.document && remembers_) {
         std::error_code error;
@@ -171,6 +197,11 @@ Files::Stamp Files::stamp() const {
     return info.exists() ? Stamp{info.lastModified(), info.size()} : Stamp{};
 }
 
+bool Files::has_changed_on_disk() const {
+    const Stamp now = stamp();
+    return now.size >= 0 && !(now == shown_);
+}
+
 /// The folder too: editors write a new file and put it in the old one's place.
 void Files::watch() {
     const QString there = qt(file().string());
@@ -195,11 +226,22 @@ void Files::look_at_disk() {
     }
     watch();
     const Stamp now = stamp();
-    if (now == read_ || now.size < 0) {
-        return;  // another file of the folder; or it is just being replaced
+    if (now == read_) {
+        return;  // another file of the folder
     }
-    read_ = now;
     const std::string name = file().filename().string();
+    if (now.size < 0) {  // it may just be being replaced
+        constexpr int patience = 10;
+        if (++missed_ < patience) {
+            settled_.start();
+        } else {
+            read_ = now;
+            state_.say(name + " is no longer on disk; shown is what it was.");
+        }
+        return;
+    }
+    missed_ = 0;
+    read_ = now;
     if (state_.edits().unsaved()) {
         state_.say(name + " has changed on disk; F5 reads it again, without your changes.");
         return;

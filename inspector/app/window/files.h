@@ -40,6 +40,7 @@ class Files : public QObject {
     using Path = std::filesystem::path;
     void open(const Path& file, const std::optional<Path>& scene = {});
     void read_again();
+    void save_over();
     void compare(const Path& file);
     template <class Reading> auto read(const Path& file, Reading reading);
     std::optional<Opened> load(const Path& file, const std::optional<Path>& scene);
@@ -58,6 +59,7 @@ class Files : public QObject {
     std::optional<Path> scene_of_tree() const;
     static RecentFiles kept();
     Stamp stamp() const;
+    bool has_changed_on_disk() const;
 
     State& state_;
     QMainWindow* window_;
@@ -69,7 +71,9 @@ class Files : public QObject {
     bool remembers_ = false;
     QFileSystemWatcher watcher_;
     QTimer settled_;  ///< runs out when nothing has happened on disk for a while
-    Stamp read_;      ///< of the file as it was read
+    Stamp read_;      ///< of the file as it was read, or told to have changed
+    Stamp shown_;     ///< as what is shown was read or saved
+    int missed_ = 0;  ///< how often it was not there, one time after the other
 };
 
 }  // namespace raytree::inspector

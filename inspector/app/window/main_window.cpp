@@ -149,6 +149,10 @@ void MainWindow::obey(const Changes& changes) {
     if (changes.values || changes.document) {
         setWindowModified(state_.edits().unsaved());
     }
+    if (changes.request == Request::save_scene_as && !asks_) {
+        throw InputError(state_.document()->file().string(), "",
+                         "this is no .json file to save a scene into; file.save_as FILE names one");
+    }
     if (changes.request == Request::save_scene_as) {
         actions_->run(*find_command("file.save_as"), {});
     } else if (changes.request == Request::cheat_sheet) {
@@ -223,7 +227,9 @@ void MainWindow::open(const QString& file) {
     actions_->run(*find_command("file.open"), file.toStdString());
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(files_->may_leave()); }
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(!asks_ || files_->may_leave());
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();

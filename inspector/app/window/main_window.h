@@ -48,6 +48,10 @@ class MainWindow : public QMainWindow {
     /// The scene or tree of a file; what goes wrong is shown in a dialog.
     void open(const QString& file);
 
+    /// Whether there is somebody to answer questions: else what needs an answer throws InputError,
+    /// and unsaved changes are dropped at the end.
+    void set_asking(bool asks) { asks_ = asks; }
+
   protected:
     void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
@@ -69,6 +73,7 @@ class MainWindow : public QMainWindow {
     void show_status();
     void show_hovered(std::optional<Pixel> pixel);
     QString ask_file(const QString& title);
+    bool asks_ = true;
     void report(const InputError& error);
 
     State& state_;

@@ -84,7 +84,7 @@ void OutlinePane::obey(const Changes& changes) {
     stale_columns_ |= changes.table;
     stale_tree_ |=
         changes.tree || changes.look || changes.document || changes.table || changes.playback;
-    stale_selection_ |= changes.selection || changes.look || changes.table || changes.playback;
+    stale_selection_ |= changes.selection || stale_tree_;  // with the rows the selection goes
     if (isVisible()) {
         renew();
     }

@@ -47,6 +47,24 @@ void wait_for_tree(State& state) {
     }
 }
 
+/// Throws InputError with the line's place. There is nobody to answer questions.
+void run_script(State& state, MainWindow& window, const WindowOptions& options) {
+    window.set_asking(false);
+    for (std::size_t k = 0; k < options.script.size(); ++k) {
+        const std::string& line = options.script[k];
+        if (line.starts_with("export.")) {  // a picture of the window is one of all of it
+            wait_until_drawn(state, window);
+        }
+        try {
+            run_line(state, line);
+        } catch (const InputError& error) {
+            throw InputError(options.script_file, "line " + std::to_string(k + 1), error.what());
+        }
+        wait_for_tree(state);
+    }
+    window.set_asking(true);
+}
+
 void take_screenshot(const State& state, MainWindow& window, const std::filesystem::path& file) {
     wait_until_drawn(state, window);
     write_output(file.string(), png_of(window));
@@ -120,13 +138,7 @@ int run_window(int& argc, char** argv, State& state, FirstReading reading,
         window.files().remember();
     }
     QApplication::processEvents();  // the panes take their sizes
-    for (const std::string& line : options.script) {
-        if (line.starts_with("export.")) {  // a picture of the window is one of all of it
-            wait_until_drawn(state, window);
-        }
-        run_line(state, line);
-        wait_for_tree(state);
-    }
+    run_script(state, window, options);
     if (!window.isVisible()) {  // the script has closed it
         return 0;
     }

@@ -19,6 +19,7 @@ struct WindowOptions {
     std::optional<std::filesystem::path> screenshot;     ///< drawn once, written, and ended
     std::optional<std::filesystem::path> contact_sheet;  ///< folder for all steps of all lessons
     std::vector<std::string> script;  ///< commands that are run once the window is there
+    std::string script_file;          ///< that they stand in, a line each
     int width = 1280;
     int height = 800;
 };

@@ -51,6 +51,12 @@ class Style : public QProxyStyle {
         painter->restore();
     }
 
+    /// Disabled words are not written a second time, one pixel off.
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                  QStyleHintReturn* more) const override {
+        return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, more);
+    }
+
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
         if (which != SP_ToolBarHorizontalExtensionButton) {
