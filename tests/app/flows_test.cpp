@@ -27,6 +27,7 @@
 #include "window/details_pane.h"
 #include "window/files.h"
 #include "window/outline_pane.h"
+#include "window/picture_pane.h"
 #include "window/side_dock.h"
 #include "window/steps_pane.h"
 
@@ -301,6 +302,29 @@ class FlowsTest : public test::ShownWindow {
         QVERIFY(menu->actions().at(0)->isEnabled());
         QVERIFY(menu->actions().at(1)->text().contains(QStringLiteral("gone.json")));
         QVERIFY(!menu->actions().at(1)->isEnabled());
+    }
+
+    void a_long_number_is_shortened_until_it_is_edited() {
+        Scene scene = test::glass_ball_scene();
+        scene.background = {0.31242852301646, 0.2718281828459, 0.14142135623731};
+        write(path("long.json"), write_scene_json(scene));
+        window_->open(QString::fromStdString(path("long.json").string()));
+        QTRY_VERIFY(state_.tree());
+        state_.show_side(SidePane::change);
+        ChangePane& change = window_->side_dock().change();
+        change.owners()->setCurrentIndex(0);
+        QTRY_VERIFY(change.field("/background"));
+        QLineEdit& field = *change.field("/background");
+        const QString whole = QStringLiteral("0.31242852301646, 0.2718281828459, 0.14142135623731");
+        QCOMPARE(field.toolTip(), whole);
+        QVERIFY(field.fontMetrics().horizontalAdvance(field.text()) < field.maximumWidth());
+        QApplication::setActiveWindow(window_.get());
+        field.setFocus();
+        QCOMPARE(field.text(), whole);
+        window_->picture_pane().setFocus();  // nothing was typed: nothing has changed
+        QVERIFY(field.text() != whole);
+        QVERIFY(!state_.edits().unsaved());
+        state_.show_side(SidePane::none);
     }
 
     void saving_over_what_somebody_else_has_written_asks_first() {

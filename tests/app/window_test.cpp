@@ -29,6 +29,7 @@
 #include "window/diagram_pane.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
+#include "window/side_dock.h"
 
 namespace raytree::inspector {
 
@@ -294,6 +295,27 @@ class WindowTest : public test::ShownWindow {
         QVERIFY(renewed.count() > 0);
         run_command(state_, "tab.outline");
         QCOMPARE(outline_ray(), std::size_t{1});
+    }
+
+    void a_key_goes_from_pane_to_pane_and_back() {
+        QApplication::setActiveWindow(window_.get());
+        window_->picture_pane().setFocus();
+        std::vector<const QWidget*> way;
+        for (int k = 0; k < 4; ++k) {
+            way.push_back(QApplication::focusWidget());
+            run_command(state_, "pane.next");
+        }
+        QCOMPARE(QApplication::focusWidget(), way.front());  // picture, 3D, tree, details
+        QVERIFY(way[1] == canvas());
+        QVERIFY(way[2] == &window_->outline_pane());
+        QVERIFY(way[3] == &window_->details_pane());
+        run_command(state_, "pane.previous");
+        QCOMPARE(QApplication::focusWidget(), way[3]);
+        state_.show_side(SidePane::change);  // of which a field gets the keys
+        QTest::qWait(20);
+        run_command(state_, "pane.next");
+        QVERIFY(window_->side_dock().isAncestorOf(QApplication::focusWidget()));
+        state_.show_side(SidePane::none);
     }
 
     void tabs_take_no_room_and_follow_the_state() {

@@ -30,6 +30,8 @@ enum class Request {
     diagram_closer,
     diagram_further,
     cheat_sheet,
+    next_pane,
+    previous_pane,
     save_scene_as,
     quit
 };

@@ -1,5 +1,7 @@
 #include "state/state.h"
 
+#include <algorithm>
+
 /// The state's part in changing a scene.
 namespace raytree::inspector {
 
@@ -58,6 +60,28 @@ void State::dismiss_cut() {
     }
 }
 
+namespace {
+
+/// What the format cannot say, each once, and of much the first few.
+std::string left_out_text(const std::vector<std::string>& lost) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> told;
+    for (const std::string& one : lost) {
+        if (std::ranges::find(told, one) == told.end()) {
+            told.push_back(one);
+        }
+    }
+    std::string text;
+    for (std::size_t k = 0; k < std::min(told.size(), most); ++k) {
+        text += (k == 0 ? "\nNot said in it: " : "; ") + told[k];
+    }
+    return told.size() > most
+               ? text + "; and " + std::to_string(told.size() - most) + " more (raytree convert)"
+               : text;
+}
+
+}  // namespace
+
 void State::save_scene_as(const std::filesystem::path& file) {
     Scene scene;
     std::string message = "Saved: " + file.string();
@@ -65,9 +89,7 @@ void State::save_scene_as(const std::filesystem::path& file) {
         scene = document_->scene();
         put(edits_.values(), scene);
         relocate_meshes(scene, document_->file().parent_path(), file.parent_path());
-        for (const std::string& lost : save_scene(scene, file)) {
-            message += "\nNot said in it: " + lost;
-        }
+        message += left_out_text(save_scene(scene, file));
     });
     if (file.extension() == ".json") {
         own_file_ = opened_file_ = file;

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -51,6 +52,21 @@ bool same_row(const Knob& a, const Knob& b) {
            a.most == b.most && a.logarithmic == b.logarithmic && a.words == b.words;
 }
 
+/// The numbers with fewer digits, where all of them have no room.
+QString in_room(const QString& text, const QFontMetrics& metrics, int room) {
+    QString brief = text;
+    for (int digits = 6; digits > 1 && metrics.horizontalAdvance(brief) > room; --digits) {
+        QStringList parts = text.split(QStringLiteral(", "));
+        for (QString& part : parts) {
+            bool is_number = false;
+            const double number = part.toDouble(&is_number);
+            part = is_number ? QString::number(number, 'g', digits) : part;
+        }
+        brief = parts.join(QStringLiteral(", "));
+    }
+    return brief;
+}
+
 /// The object that the ray hits, or the light that it asks.
 std::optional<KnobOwner> owner_of(const Scene& scene, const TreeRay<double>& ray) {
     if (ray.shadow) {
@@ -75,8 +91,9 @@ std::optional<KnobOwner> owner_of(const Scene& scene, const TreeRay<double>& ray
 
 }  // namespace
 
-ChangePane::ChangePane(State& state, std::function<void(const InputError&)> fail, QWidget* parent)
-    : QWidget(parent), state_(state), fail_(std::move(fail)) {
+ChangePane::ChangePane(State& state, std::function<void(const std::string& command)> run,
+                       std::function<void(const InputError&)> fail, QWidget* parent)
+    : QWidget(parent), state_(state), run_(std::move(run)), fail_(std::move(fail)) {
     owners_ = new QComboBox;
     owners_->setAccessibleName(QStringLiteral("What is changed"));
     owners_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -116,13 +133,7 @@ QWidget* ChangePane::make_buttons() {
         const int place = static_cast<int>(buttons_.size());
         layout->addWidget(made, place / row_length, place % row_length);
         buttons_.emplace_back(made, command);
-        connect(made, &QPushButton::clicked, this, [this, id = command] {
-            try {
-                run_command(state_, id);
-            } catch (const InputError& error) {
-                fail_(error);
-            }
-        });
+        connect(made, &QPushButton::clicked, this, [this, id = command] { run_(id); });
     }
     return box;
 }
@@ -252,11 +263,11 @@ void ChangePane::add_row(QFormLayout* form, const Knob& knob) {
             [this, row](int at) { take_slider(row, at); });
     connect(row.slider, &QSlider::sliderReleased, this, [this] { state_.let_go(); });
     connect(row.field, &QLineEdit::editingFinished, this, [this, row] {
-        const std::string text = row.field->text().toStdString();
-        if (!following_ && text != text_of(state_.document()->scene(), row.knob.place)) {
-            set(row.knob.place, text, Pick::apart);
+        if (!following_ && !is_as_shown(*row.field)) {
+            set(row.knob.place, row.field->text().toStdString(), Pick::apart);
         }
     });
+    row.field->installEventFilter(this);
     rows_.push_back(row);
 }
 
@@ -278,6 +289,36 @@ void ChangePane::set(const std::string& place, const std::string& text, Pick how
     }
 }
 
+/// Whoever is about to change a number sees all of it.
+bool ChangePane::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
+        auto& field = static_cast<QLineEdit&>(*watched);
+        const bool comes = event->type() == QEvent::FocusIn;
+        if (is_as_shown(field)) {
+            field.setText(comes ? field.toolTip() : in_field(field, field.toolTip()));
+            field.setCursorPosition(0);
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+QString ChangePane::in_field(const QLineEdit& field, const QString& text) {
+    constexpr int frame = 14;
+    return in_room(text, field.fontMetrics(), field.maximumWidth() - frame);
+}
+
+/// Whether nothing else has been typed there.
+bool ChangePane::is_as_shown(const QLineEdit& field) {
+    return field.text() == field.toolTip() || field.text() == in_field(field, field.toolTip());
+}
+
+/// All of it stands in the tooltip.
+void ChangePane::show_text(QLineEdit& field, const QString& text) {
+    field.setToolTip(text);
+    field.setText(field.hasFocus() ? text : in_field(field, text));
+    field.setCursorPosition(0);
+}
+
 void ChangePane::show_values() {
     following_ = true;
     const Scene& scene = state_.document()->scene();
@@ -286,8 +327,7 @@ void ChangePane::show_values() {
             row.choice->setCurrentIndex(static_cast<int>(number_of(scene, row.knob)));
             continue;
         }
-        row.field->setText(qt(text_of(scene, row.knob.place)));
-        row.field->setCursorPosition(0);
+        show_text(*row.field, qt(text_of(scene, row.knob.place)));
         if (!row.slider->isSliderDown()) {
             row.slider->setValue(place_of(row.knob, number_of(scene, row.knob)));
         }

@@ -19,9 +19,9 @@ namespace raytree::inspector {
 /// or lights, chosen in the list or by the selected ray.
 class ChangePane : public QWidget {
   public:
-    /// `fail` is told why a value was refused.
-    ChangePane(State& state, std::function<void(const InputError&)> fail,
-               QWidget* parent = nullptr);
+    /// `run` does what the buttons' commands do, `fail` is told why a value was refused.
+    ChangePane(State& state, std::function<void(const std::string& command)> run,
+               std::function<void(const InputError&)> fail, QWidget* parent = nullptr);
 
     QComboBox* owners() const { return owners_; }
     /// Of the knob of this place; null where it is not shown.
@@ -30,8 +30,12 @@ class ChangePane : public QWidget {
 
   protected:
     void showEvent(QShowEvent*) override { renew(); }
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    static QString in_field(const QLineEdit& field, const QString& text);
+    static bool is_as_shown(const QLineEdit& field);
+    static void show_text(QLineEdit& field, const QString& text);
     struct Row {
         Knob knob;
         QSlider* slider = nullptr;
@@ -51,6 +55,7 @@ class ChangePane : public QWidget {
     void take_slider(const Row& row, int at);
 
     State& state_;
+    std::function<void(const std::string& command)> run_;
     std::function<void(const InputError&)> fail_;
     QComboBox* owners_ = nullptr;
     QCheckBox* follows_ = nullptr;

@@ -1,5 +1,6 @@
 #include "window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -10,6 +11,8 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTabBar>
+#include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "state/commands.h"
@@ -158,8 +161,42 @@ void MainWindow::obey(const Changes& changes) {
     } else if (changes.request == Request::cheat_sheet) {
         show_cheat_sheet(state_, this,
                          [this](const Command& command) { actions_->run(command, {}); });
+    } else if (changes.request == Request::next_pane || changes.request == Request::previous_pane) {
+        go_to_pane(changes.request == Request::next_pane ? 1 : -1);
     } else if (changes.request == Request::quit) {
         close();
+    }
+}
+
+/// Gives the keys to the pane that is so many further, of those that are seen.
+void MainWindow::go_to_pane(int by) {
+    QList<QWidget*> panes;
+    for (QWidget* const pane :
+         std::initializer_list<QWidget*>{picture_, scene_, tree_panes_->currentWidget(), details_,
+                                         lesson_pane_, side_->pane()}) {
+        if (pane && pane->isVisible()) {
+            panes << pane;
+        }
+    }
+    const QWidget* const at = QApplication::focusWidget();
+    const auto has_keys = [at](const QWidget* pane) {
+        return at && (pane == at || pane->isAncestorOf(at) || pane->focusProxy() == at);
+    };
+    const auto count = static_cast<int>(panes.size());
+    const auto found = std::find_if(panes.begin(), panes.end(), has_keys);
+    const int from =
+        found == panes.end() ? (by > 0 ? -1 : 0) : static_cast<int>(found - panes.begin());
+    QWidget* const next = panes[(from + by + count) % count];
+    next->setFocus(Qt::ShortcutFocusReason);
+    if (!has_keys(next) && !next->hasFocus()) {  // a pane of fields: the first of them
+        for (QWidget* inside = next->nextInFocusChain(); next->isAncestorOf(inside);
+             inside = inside->nextInFocusChain()) {
+            if (inside->isVisible() && inside->isEnabled() &&
+                (inside->focusPolicy() & Qt::TabFocus) != 0) {
+                inside->setFocus(Qt::ShortcutFocusReason);
+                break;
+            }
+        }
     }
 }
 

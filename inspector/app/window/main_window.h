@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow {
     void add_lesson_dock();
     void show_lesson();
     void share_room();
+    void go_to_pane(int by);
     void colour_message();
     void show_message();
     void show_tab();

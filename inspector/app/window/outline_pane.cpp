@@ -19,7 +19,7 @@ constexpr std::size_t most_expanded = 1000;  // rays; larger trees open level by
 constexpr int levels_of_large_trees = 4;
 
 /// In deep trees rows stand closer to those above them: what is in the deepest is to be read too.
-constexpr int most_indented = 13, least_indented = 7, all_indented = 84;  // pixels
+constexpr int most_indented = 13, least_indented = 6, all_indented = 84;  // pixels
 
 int indentation_for(const PixelTree* tree) {
     return tree ? std::clamp(all_indented / std::max(1, tree->tree.counts.levels), least_indented,

@@ -20,7 +20,7 @@ SideDock::SideDock(State& state, std::function<void(const std::string&)> run,
     setWindowTitle(QStringLiteral("Steps, changes, differences"));
     setFeatures(QDockWidget::NoDockWidgetFeatures);
     steps_ = new StepsPane(state_);
-    change_ = new ChangePane(state_, std::move(fail));
+    change_ = new ChangePane(state_, run, std::move(fail));
     compare_ = new ComparePane(state_, std::move(run));
     panes_ = new QStackedWidget;
     panes_->addWidget(steps_);
@@ -72,5 +72,7 @@ void SideDock::show_pane() {
     }
     setVisible(pane != SidePane::none);
 }
+
+QWidget* SideDock::pane() const { return panes_->currentWidget(); }
 
 }  // namespace raytree::inspector

@@ -24,6 +24,9 @@ class SideDock : public QDockWidget {
     ChangePane& change() const { return *change_; }
     ComparePane& compare() const { return *compare_; }
 
+    /// The one that is shown.
+    QWidget* pane() const;
+
     QSize sizeHint() const override { return {330, 400}; }
 
   private:
