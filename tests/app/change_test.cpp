@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -278,6 +279,25 @@ TEST_CASE("app: a scene that is read again keeps pixel and look, and shows what 
     for (const Changes& changes : told) {
         CHECK_FALSE(changes.document);
     }
+}
+
+TEST_CASE("app: what a format cannot say is told once, and of much the first few") {
+    Scene scene = test::glass_ball_scene();
+    for (int k = 0; k < 9; ++k) {  // lights that weaken with the distance: NFF has none
+        Light light;
+        light.name = "lamp" + std::to_string(k);
+        light.kind = PointLight{{1.0 * k, 5, 0}, Attenuation{1, 0, 0.1}};
+        scene.lights.push_back(light);
+    }
+    State state;
+    state.show(test::opened(std::move(scene)));
+    const auto file = test::own_path("left-out.nff");
+    run_command(state, "file.save_as", file.string());
+    std::filesystem::remove(file);
+    const std::string& message = state.message();
+    CHECK(message.find("Not said in it") == message.rfind("Not said in it"));
+    CHECK(std::ranges::count(message, '\n') == 1);
+    CHECK(message.size() < 700);
 }
 
 }  // namespace

@@ -73,11 +73,11 @@ std::string left_out_text(const std::vector<std::string>& lost) {
     }
     std::string text;
     for (std::size_t k = 0; k < std::min(told.size(), most); ++k) {
-        text += (k == 0 ? "\nNot said in it: " : "; ") + told[k];
+        text += (k == 0 ? "\nNot said in it: " : " ") + told[k];
     }
-    return told.size() > most
-               ? text + "; and " + std::to_string(told.size() - most) + " more (raytree convert)"
-               : text;
+    return told.size() > most ? text + " And " + std::to_string(told.size() - most) +
+                                    " more: raytree convert tells all."
+                              : text;
 }
 
 }  // namespace
