@@ -101,6 +101,7 @@ class Entries {
         colour("/ka", "ka", "Share of the ambient light", m.ka);
         colour("/kd", "kd", "Share of each light, diffuse", m.kd);
         colour("/ks", "ks", "Share of each light, in the highlight", m.ks);
+        colour("/specular_color", "its colour", "Of the highlight", m.specular_color);
         number("/shininess", "exponent", "Of the highlight: large is small and sharp", m.shininess,
                1, 1024, true);
         colour("/kr", "kr", "Share of the reflected ray", m.kr);

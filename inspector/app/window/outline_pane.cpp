@@ -279,6 +279,7 @@ int OutlinePane::width_for_rays() const {
 int OutlinePane::left_for_names(bool brief) {
     brief_ = brief;
     model_->set_brief(brief);
+    setIconSize({brief ? 19 : 24, 16});
     int rest = viewport()->width() - width_for_rays();
     for (const Column column : state_.table().columns) {
         if (column != Column::ray && column != Column::met) {
