@@ -280,7 +280,9 @@ Replay::Outcome Replay::end(At at, const Step& step, Taint taint) {
         Finding finding;
         start_finding(finding, ray);
         finding.problem = Problem::extra;
-        finding.reason = "the ray that it should start from hits nothing";
+        finding.reason = submission_.tree.rays[at.ray].hit
+                             ? "what the ray that it should start from hits is not known"
+                             : "the ray that it should start from hits nothing";
         if (taint != clean) {
             finding.follows_from = static_cast<std::size_t>(taint);
         }

@@ -196,6 +196,22 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("app: rays from a hit that the file names wrongly are not told to start from nothing") {
+    const Scene scene = test::glass_ball_scene();
+    RayTree<double> theirs = true_tree(scene);
+    REQUIRE(theirs.rays[0].hit);
+    theirs.rays[0].hit->object = "no such object";
+    const TreeFile file(theirs, &scene);
+    State state;
+    test::run_and_wait(state, "file.open", file.path.string());
+    int told = 0;
+    for (const ContrastLine& line : state.tree()->contrast->lines) {
+        CHECK(line.text.find("hits nothing") == std::string::npos);
+        told += line.text.find("is not known") != std::string::npos ? 1 : 0;
+    }
+    CHECK(told > 0);
+}
+
 TEST_CASE("app: a file without shadow rays is not told to lack them, on either side") {
     const Scene scene = test::glass_ball_scene();
     std::string text = write_tree_json(true_tree(scene), &scene);

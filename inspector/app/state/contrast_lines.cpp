@@ -177,6 +177,11 @@ void mark_by_findings(const PixelTree& shown, Contrast& contrast, const check::R
     for (const check::NamedMistake& mistake : report.mistakes) {
         contrast.remarks.push_back((mistake.sure ? "" : "Perhaps: ") + mistake.text);
     }
+    if (std::ranges::find(report.findings, check::Problem::differs, &check::Finding::problem) !=
+        report.findings.end()) {
+        contrast.remarks.push_back(
+            "“Must be” is what follows from the file's own numbers before it.");
+    }
     if (report.profile != "lecture") {
         contrast.remarks.push_back("Judged by the conventions “" + report.profile + "”.");
     }
