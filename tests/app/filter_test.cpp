@@ -32,10 +32,31 @@ std::size_t count(const State& state, Shown how) {
     return rays;
 }
 
+TEST_CASE("app: what is hidden can be shown again where the tree has no such ray") {
+    State state = shown_scene();
+    const auto counted = [&](const RayGroup& group) {
+        std::optional<std::size_t> rays;
+        for (const CountedGroup& one : groups_of(*state.tree(), state.look().filter)) {
+            rays = one.group == group ? one.rays : rays;
+        }
+        return rays;
+    };
+    const RayGroup object{RayGroup::By::object, "of another pixel"},
+        level{RayGroup::By::level, "9"};
+    CHECK_FALSE(counted(object));
+    run_command(state, "filter.set", "hidden object of another pixel");
+    run_command(state, "filter.set", "dimmed level 9");
+    CHECK(counted(object) == 0);
+    CHECK(counted(level) == 0);
+    CHECK(counted(group_of(RayKind::primary)) == 1);
+    run_command(state, "filter.clear");
+    CHECK_FALSE(counted(object));
+}
+
 TEST_CASE("app: the groups of a tree count each of its rays") {
     const State state = shown_scene();
     std::map<By, std::size_t> rays;
-    for (const CountedGroup& group : groups_of(*state.tree())) {
+    for (const CountedGroup& group : groups_of(*state.tree(), {})) {
         CHECK(group.rays > 0);
         rays[group.group.by] += group.rays;
     }
@@ -48,7 +69,7 @@ TEST_CASE("app: the groups of a tree count each of its rays") {
 
 TEST_CASE("app: hiding every group in turn hides just its rays") {
     State state = shown_scene();
-    for (const CountedGroup& group : groups_of(*state.tree())) {
+    for (const CountedGroup& group : groups_of(*state.tree(), {})) {
         const std::string name = std::string(word_of(group.group.by)) + " " + group.group.name;
         run_command(state, "filter.set", "hidden " + name);
         CHECK(count(state, Shown::hidden) == group.rays);

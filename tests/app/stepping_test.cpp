@@ -99,6 +99,16 @@ TEST_CASE("app: rays not yet sent are neither in the outline nor in the diagram"
     }
 }
 
+TEST_CASE("app: what is told of the rays while stepping counts those that are sent") {
+    State state = stepping_state();
+    CHECK(sent_text(*state.playback()) == "1 ray sent so far: 1 primary");
+    while (state.playback()->event().kind != TreeEvent::Kind::sent ||
+           state.playback()->event().ray != 2) {
+        test::run_and_wait(state, "step.forward");
+    }
+    CHECK(sent_text(*state.playback()).starts_with("3 rays sent so far: 1 primary, "));
+}
+
 TEST_CASE("app: an intensity that is not known yet is not shown anywhere") {
     State state = stepping_state();
     test::run_and_wait(state, "step.forward");  // the primary ray's hit is known

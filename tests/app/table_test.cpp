@@ -4,11 +4,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "app/scenes.h"
 #include "state/commands.h"
+#include "state/natural_order.h"
 #include "state/numbers.h"
 
 namespace raytree::inspector {
@@ -110,19 +113,48 @@ TEST_CASE("app: what is copied gives every number back to the last bit") {
     const auto lines = split(
         copied(tree, {0, 2}, {Column::ray, Column::t, Column::point, Column::intensity}), '\n');
     REQUIRE(lines.size() == 3);
-    CHECK(split(lines[0], '\t') == std::vector<std::string>{"Ray", "t", "Point", "Intensity"});
+    // A spreadsheet takes one number a cell.
+    CHECK(split(lines[0], '\t') == std::vector<std::string>{"Ray", "t", "Point x", "Point y",
+                                                            "Point z", "Intensity r", "Intensity g",
+                                                            "Intensity b"});
     const auto cells = split(lines[1], '\t');
-    REQUIRE(cells.size() == 4);
+    REQUIRE(cells.size() == 8);
     const TreeRay<double>& ray = tree.tree.rays[0];
     CHECK(cells[0] == "#0 primary");
     CHECK(std::stod(cells[1]) == ray.hit->t);
-    const auto point = split(cells[2], ' ');
-    REQUIRE(point.size() == 3);
-    CHECK(std::stod(point[0]) == ray.hit->point.x);
-    CHECK(std::stod(point[2]) == ray.hit->point.z);
-    CHECK(std::stod(split(cells[3], ' ')[1]) == ray.intensity.g);
+    CHECK(std::stod(cells[2]) == ray.hit->point.x);
+    CHECK(std::stod(cells[4]) == ray.hit->point.z);
+    CHECK(std::stod(cells[6]) == ray.intensity.g);
     CHECK(exact(0.1) == "0.1");
     CHECK(std::stod(exact(1.0 / 3)) == 1.0 / 3);
+}
+
+TEST_CASE("app: every copied row has as many cells as there are titles") {
+    const State state = shown();
+    std::vector<Column> all;
+    for (std::size_t k = 0; k < column_count; ++k) {
+        all.push_back(static_cast<Column>(k));
+    }
+    const std::size_t rays = state.tree()->tree.rays.size();
+    std::vector<std::size_t> every(rays);
+    std::iota(every.begin(), every.end(), std::size_t{0});
+    const std::string text = copied(*state.tree(), every, all);
+    CHECK(std::ranges::count(text, '\n') == static_cast<std::ptrdiff_t>(rays + 1));
+    const std::size_t tabs = column_count - 1 + 6 * 2 + 1;  // six triples and a pair of indices
+    CHECK(std::ranges::count(text, '\t') == static_cast<std::ptrdiff_t>((rays + 1) * tabs));
+}
+
+TEST_CASE("app: names are sorted as a reader does, by the numbers in them") {
+    const NaturalOrder before;
+    CHECK(before("sphere2", "sphere10"));
+    CHECK_FALSE(before("sphere10", "sphere2"));
+    CHECK(before("a 2, back", "a 10, back"));
+    CHECK(before("a2b10", "a2b11"));
+    CHECK(before("ball", "ball 1"));
+    CHECK(before("12345678901234567890123", "22345678901234567890123"));
+    CHECK(before("007", "8"));
+    CHECK(before("07", "7") != before("7", "07"));  // one of the two, so that none is lost
+    CHECK_FALSE(before("same 3", "same 3"));
 }
 
 TEST_CASE("app: the selected ray is copied as text and as JSON, every digit of it") {

@@ -67,9 +67,13 @@ class WindowTest : public test::ShownWindow {
     }
 
     /// Whether the window takes the file.
-    bool drop(const QString& file) {
+    bool drop(const QStringList& files) {
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(file)});
+        QList<QUrl> urls;
+        for (const QString& file : files) {
+            urls << QUrl::fromLocalFile(file);
+        }
+        data.setUrls(urls);
         QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(window_.get(), &enter);
         QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -349,10 +353,15 @@ class WindowTest : public test::ShownWindow {
         broken.write("{\"format\": \"raytree-scene/1.0\", \"camera\"");
         broken.close();
         const auto before = state_.document();
-        const QString told = told_when([&] { QVERIFY(drop(broken.fileName())); });
+        const QString told = told_when([&] { QVERIFY(drop({broken.fileName()})); });
         QVERIFY2(told.contains(broken.fileName()), qPrintable(told));
         QVERIFY(state_.document() == before);
-        QVERIFY(drop(QStringLiteral(RAYTREE_DATA_DIR "/scenes/prism.json")));
+        const QString several = told_when([&] {
+            QVERIFY(drop({broken.fileName(), broken.fileName()}));
+        });
+        QVERIFY2(several.contains(QStringLiteral("2 files")), qPrintable(several));
+        QVERIFY(state_.document() == before);
+        QVERIFY(drop({QStringLiteral(RAYTREE_DATA_DIR "/scenes/prism.json")}));
         QTRY_VERIFY(state_.tree() && state_.document() != before);
         state_.show(test::opened(test::glass_ball_scene()));
         QTRY_VERIFY(state_.tree() && window_->feed().done());

@@ -67,6 +67,14 @@ constexpr Command table[] = {
      nullptr,
      {},
      true},
+    {"pixel.closer", "Pixel", "Picture larger",
+     "Ctrl++ Ctrl+=", "Shows the picture twice as large, about the chosen pixel.", none,
+     ask<Request::picture_closer>, has_scene},
+    {"pixel.further", "Pixel", "Picture smaller", "Ctrl+-", "Shows the picture half as large.",
+     none, ask<Request::picture_further>, has_scene},
+    {"pixel.values", "Pixel", "Values around the pixel", "9",
+     "Zooms onto the chosen pixel until each pixel has its raw and its 8-bit value in it.", none,
+     ask<Request::picture_values>, has_scene},
 };
 
 }  // namespace

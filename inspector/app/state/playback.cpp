@@ -1,6 +1,7 @@
 #include "state/playback.h"
 
 #include <algorithm>
+#include <map>
 
 #include "state/details.h"
 #include "state/numbers.h"
@@ -99,6 +100,25 @@ std::string event_text(const Playback& playback) {
         default:
             return returned_text(playback.tree(), ray);
     }
+}
+
+std::string sent_text(const Playback& playback) {
+    const std::vector<TreeRay<double>>& rays = playback.tree().rays;
+    std::map<RayKind, std::size_t> sent;
+    std::size_t all = 0;
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+        if (playback.stage(k) != Stage::unsent) {
+            ++sent[rays[k].kind];
+            ++all;
+        }
+    }
+    std::string text = grouped(static_cast<double>(all)) + (all == 1 ? " ray" : " rays");
+    const char* before = " sent so far: ";
+    for (const auto& [kind, count] : sent) {
+        text += before + grouped(static_cast<double>(count)) + " " + std::string(word_of(kind));
+        before = ", ";
+    }
+    return text;
 }
 
 std::vector<CallText> call_texts(const Playback& playback, std::size_t most) {

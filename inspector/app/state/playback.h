@@ -47,6 +47,9 @@ class Playback {
 /// What has just happened, in a sentence.
 std::string event_text(const Playback& playback);
 
+/// How many rays have been sent so far: "3 rays sent so far: 1 primary, 2 shadow".
+std::string sent_text(const Playback& playback);
+
 /// An open call in words.
 struct CallText {
     std::size_t ray = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "state/natural_order.h"
 #include "state/thing.h"
 #include "tree/explain.h"
 
@@ -77,32 +78,38 @@ Shown shown(const RayFilter& filter, const PixelTree& tree, const TreeRay<double
     return least;
 }
 
-std::vector<CountedGroup> groups_of(const PixelTree& tree) {
+std::vector<CountedGroup> groups_of(const PixelTree& tree, const RayFilter& filter) {
     std::map<RayKind, std::size_t> kinds;
     std::map<int, std::size_t> levels;
-    std::map<std::string, std::size_t> lights, objects;
+    std::array<std::map<std::string, std::size_t, NaturalOrder>, 4> names;
     for (const TreeRay<double>& ray : tree.tree.rays) {
         ++kinds[ray.kind];
         ++levels[ray.level];
         if (ray.shadow) {
-            ++lights[ray.shadow->light];
+            ++names[static_cast<std::size_t>(By::light)][ray.shadow->light];
         }
         if (const std::string object = met_by(ray); !object.empty()) {
-            ++objects[object];
+            ++names[static_cast<std::size_t>(By::object)][object];
         }
     }
+    for (const auto& [level, count] : levels) {
+        names[static_cast<std::size_t>(By::level)][std::to_string(level)] = count;
+    }
     std::vector<CountedGroup> groups;
+    for (const auto& [group, shown] : filter.groups) {
+        if (group.by != By::kind) {
+            names[static_cast<std::size_t>(group.by)].try_emplace(group.name, 0);
+        } else if (const auto kind = ray_kind_from(group.name)) {
+            kinds.try_emplace(*kind, 0);
+        }
+    }
     for (const auto& [kind, count] : kinds) {
         groups.push_back({group_of(kind), count});
     }
-    for (const auto& [level, count] : levels) {
-        groups.push_back({{By::level, std::to_string(level)}, count});
-    }
-    for (const auto& [light, count] : lights) {
-        groups.push_back({{By::light, light}, count});
-    }
-    for (const auto& [object, count] : objects) {
-        groups.push_back({{By::object, object}, count});
+    for (const By by : {By::level, By::light, By::object}) {
+        for (const auto& [name, count] : names[static_cast<std::size_t>(by)]) {
+            groups.push_back({{by, name}, count});
+        }
     }
     return groups;
 }

@@ -44,12 +44,14 @@ double weight_of(const PixelTree& tree, const TreeRay<double>& ray);
 /// What is least of all that the filter says of the ray.
 Shown shown(const RayFilter& filter, const PixelTree& tree, const TreeRay<double>& ray);
 
-/// The groups that a tree has, and how many rays each.
+/// A group, and how many rays of a tree are of it.
 struct CountedGroup {
     RayGroup group;
     std::size_t rays = 0;
 };
-std::vector<CountedGroup> groups_of(const PixelTree& tree);
+/// The groups that a tree has, and those that the filter names, without a ray of this tree though
+/// they be: what is hidden at one pixel can be shown again at the next.
+std::vector<CountedGroup> groups_of(const PixelTree& tree, const RayFilter& filter);
 
 /// "hidden: shadow rays, level 4 · dimmed: rays to key"; empty where all are shown.
 std::string text_of(const RayFilter& filter);

@@ -5,9 +5,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <variant>
 
 #include "formats/tree_diagram.h"
+#include "state/natural_order.h"
 #include "state/numbers.h"
 #include "state/outline.h"
 #include "state/ray_filter.h"
@@ -106,6 +108,27 @@ Cell cell_of(const PixelTree& tree, const Node& ray, Column column) {
     }
 }
 
+/// What the numbers of a column's cells are called, where there are several.
+std::span<const std::string_view> parts_of(Column column) {
+    static constexpr std::array<std::string_view, 3> channels = {"r", "g", "b"};
+    static constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
+    static constexpr std::array<std::string_view, 2> sides = {"from", "to"};
+    switch (column) {
+        case Column::intensity:
+        case Column::weight:
+            return channels;
+        case Column::origin:
+        case Column::direction:
+        case Column::point:
+        case Column::normal:
+            return axes;
+        case Column::eta:
+            return sides;
+        default:
+            return {};
+    }
+}
+
 /// One number for the order of a column; none where the cell is empty or is words.
 std::optional<double> rank_of(const Cell& cell, Column column) {
     const auto* const values = std::get_if<Numbers>(&cell);
@@ -179,7 +202,8 @@ std::vector<std::size_t> sorted_rays(const PixelTree& tree, Column by, bool desc
             return b.empty;
         }
         const Key &low = descending ? b : a, &high = descending ? a : b;
-        return low.number != high.number ? low.number < high.number : low.words < high.words;
+        return low.number != high.number ? low.number < high.number
+                                         : NaturalOrder()(low.words, high.words);
     });
     return rays;
 }
@@ -223,15 +247,38 @@ std::string exact_text_of(const PixelTree& tree, std::size_t ray, Column column)
 
 std::string copied(const PixelTree& tree, const std::vector<std::size_t>& rays,
                    const std::vector<Column>& columns) {
+    std::vector<std::string> cells;
     std::string text;
-    const auto end = [&](std::size_t k) { return k + 1 < columns.size() ? '\t' : '\n'; };
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        text += std::string(text_of(columns[k]).title) + end(k);
-    }
-    for (const std::size_t ray : rays) {
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            text += exact_text_of(tree, ray, columns[k]) + end(k);
+    const auto end_line = [&] {
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            text += (k > 0 ? "\t" : "") + cells[k];
         }
+        text += '\n';
+        cells.clear();
+    };
+    for (const Column column : columns) {
+        const std::string title(text_of(column).title);
+        const auto parts = parts_of(column);
+        for (const std::string_view part : parts) {
+            cells.push_back(title + " " + std::string(part));
+        }
+        if (parts.empty()) {
+            cells.push_back(title);
+        }
+    }
+    end_line();
+    for (const std::size_t ray : rays) {
+        for (const Column column : columns) {
+            const Cell cell = cell_of(tree, tree.tree.rays[ray], column);
+            const auto* const values = std::get_if<Numbers>(&cell);
+            const std::size_t width = std::max<std::size_t>(parts_of(column).size(), 1);
+            for (std::size_t k = 0; k < width; ++k) {
+                cells.push_back(values       ? exact((*values)[k])
+                                : width == 1 ? exact_text_of(tree, ray, column)
+                                             : std::string());
+            }
+        }
+        end_line();
     }
     return text;
 }

@@ -64,7 +64,7 @@ std::string text_of(const PixelTree& tree, std::size_t ray, Column column);
 std::string exact_text_of(const PixelTree& tree, std::size_t ray, Column column);
 
 /// The rays with their columns' titles, divided by tabs and line feeds; numbers in full precision,
-/// those of a triple divided by blanks.
+/// each in a cell of its own: a triple takes three ("Intensity r").
 std::string copied(const PixelTree& tree, const std::vector<std::size_t>& rays,
                    const std::vector<Column>& columns);
 

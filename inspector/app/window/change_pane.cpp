@@ -98,9 +98,9 @@ ChangePane::ChangePane(State& state, std::function<void(const std::string& comma
     owners_->setAccessibleName(QStringLiteral("What is changed"));
     owners_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     owners_->setMinimumContentsLength(12);
-    follows_ = new QCheckBox(QStringLiteral("Follow the selected ray"));
+    follows_ = new QCheckBox(QStringLiteral("Selecting a ray shows what it meets"));
     follows_->setToolTip(
-        QStringLiteral("Shows the material that the selected ray hits, or the light that it asks"));
+        QStringLiteral("Goes to the material that the ray hits, or to the light that it asks"));
     follows_->setChecked(true);
     area_ = new QScrollArea;
     area_->setWidgetResizable(true);

@@ -10,6 +10,7 @@
 
 #include "state/commands.h"
 #include "tree/explain.h"
+#include "window/fitting_label.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
 
@@ -28,6 +29,13 @@ Shown shown_of(Qt::CheckState tick) {
     return tick == Qt::Checked            ? Shown::full
            : tick == Qt::PartiallyChecked ? Shown::dimmed
                                           : Shown::hidden;
+}
+
+/// Read after "Rays of".
+QString words_of(double least_weight) {
+    return least_weight > 0
+               ? QStringLiteral("less than %1 of the pixel").arg(qt(number_text(least_weight)))
+               : QStringLiteral("any share of the pixel");
 }
 
 QString name_of(const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toString(); }
@@ -70,12 +78,12 @@ QWidget* FilterPane::make_weights() {
     weight_ = new QComboBox;
     lighter_ = new QComboBox;
     for (const double weight : weights) {
-        weight_->addItem(weight > 0 ? QStringLiteral("less than ") + qt(number_text(weight))
-                                    : QStringLiteral("any share"),
-                         weight);
+        weight_->addItem(words_of(weight), weight);
     }
-    lighter_->addItems({QStringLiteral("dimmed"), QStringLiteral("hidden")});
+    lighter_->addItems({QStringLiteral("are dimmed"), QStringLiteral("are hidden")});
     weight_->setAccessibleName(QStringLiteral("Least share of the pixel"));
+    weight_->setToolTip(QStringLiteral(
+        "A shadow ray has the share of the pixel that the ray has from whose hit it is sent"));
     lighter_->setAccessibleName(QStringLiteral("Rays with a smaller share"));
     const auto send = [this] {
         if (!renewing_) {
@@ -87,14 +95,19 @@ QWidget* FilterPane::make_weights() {
     };
     connect(weight_, qOverload<int>(&QComboBox::currentIndexChanged), this, send);
     connect(lighter_, qOverload<int>(&QComboBox::currentIndexChanged), this, send);
-    auto* const all = new QPushButton(QStringLiteral("Show all"));
-    connect(all, &QPushButton::clicked, this, [this] { run_command(state_, "filter.clear"); });
-    row->addWidget(new QLabel(QStringLiteral("Rays that are")));
+    all_ = new QPushButton(QStringLiteral("Show all"));
+    connect(all_, &QPushButton::clicked, this, [this] { run_command(state_, "filter.clear"); });
+    auto* const key = new FittingLabel;
+    key->setObjectName(QStringLiteral("aside"));
+    key->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    key->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    key->set_texts({QStringLiteral("ticked: shown   half ticked: dimmed   not ticked: hidden"),
+                    QStringLiteral("half ticked: dimmed"), QStringLiteral("half: dimmed")});
+    row->addWidget(new QLabel(QStringLiteral("Rays of")));
     row->addWidget(weight_);
-    row->addWidget(new QLabel(QStringLiteral("of the pixel are")));
     row->addWidget(lighter_);
-    row->addStretch(1);
-    row->addWidget(all);
+    row->addWidget(key, 1);
+    row->addWidget(all_);
     return box;
 }
 
@@ -112,7 +125,7 @@ void FilterPane::renew() {
         list->clear();
     }
     if (state_.tree()) {
-        for (const CountedGroup& group : groups_of(*state_.tree())) {
+        for (const CountedGroup& group : groups_of(*state_.tree(), filter)) {
             const auto k = static_cast<std::size_t>(group.group.by);
             add(lists_[k], group);
             if (qt(group.group.name) == current[k]) {
@@ -123,6 +136,8 @@ void FilterPane::renew() {
     }
     show_weight(filter.least_weight);
     lighter_->setCurrentIndex(filter.lighter == Shown::dimmed ? 0 : 1);
+    lighter_->setVisible(filter.least_weight > 0);
+    all_->setEnabled(!filter.empty());
     renewing_ = false;
 }
 
@@ -133,7 +148,7 @@ void FilterPane::show_weight(double weight) {
         for (place = 0; place < weight_->count() && weight_->itemData(place).toDouble() < weight;) {
             ++place;
         }
-        weight_->insertItem(place, QStringLiteral("less than ") + qt(number_text(weight)), weight);
+        weight_->insertItem(place, words_of(weight), weight);
     }
     weight_->setCurrentIndex(place);
 }
@@ -147,6 +162,12 @@ void FilterPane::add(QTreeWidget* list, const CountedGroup& counted) {
     item->setCheckState(0, tick_of(state_.look().filter.of(counted.group)));
     item->setTextAlignment(1, Qt::AlignRight);
     item->setToolTip(0, qt(counted.group.name));
+    if (counted.rays == 0) {
+        for (const int column : {0, 1}) {
+            item->setForeground(column, palette().brush(QPalette::Disabled, QPalette::Text));
+        }
+        item->setToolTip(0, qt(counted.group.name) + QStringLiteral(": no such ray in this tree"));
+    }
 }
 
 QTreeWidgetItem* FilterPane::item_of(const RayGroup& group) const {

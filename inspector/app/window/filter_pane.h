@@ -6,6 +6,7 @@
 #include "state/state.h"
 
 class QComboBox;
+class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
@@ -20,7 +21,7 @@ class FilterPane : public QWidget {
   public:
     explicit FilterPane(State& state, QWidget* parent = nullptr);
 
-    /// Null where the tree has no such rays.
+    /// Null where the tree has no such rays, and the filter does not name them.
     QTreeWidgetItem* item_of(const RayGroup& group) const;
 
   protected:
@@ -36,6 +37,7 @@ class FilterPane : public QWidget {
     State& state_;
     std::vector<QTreeWidget*> lists_;  ///< by RayGroup::By
     QComboBox *weight_ = nullptr, *lighter_ = nullptr;
+    QPushButton* all_ = nullptr;
     bool renewing_ = false;
 };
 

@@ -211,7 +211,8 @@ void MainWindow::show_status() {
                                          QStringLiteral("   … not known yet")
                                    : qt(pixel_text(state_.tree()->tree))});
         // The formula of the full tree first makes room, then the rays by kind.
-        const QString all = qt(counts_text(state_.tree()->tree));
+        const QString all =
+            qt(pending ? sent_text(*state_.playback()) : counts_text(state_.tree()->tree));
         counts_->set_texts(
             {all, all.section(QStringLiteral("   ·"), 0, 0), all.section(QLatin1Char(':'), 0, 0)});
     } else {
@@ -233,7 +234,12 @@ void MainWindow::show_hovered(std::optional<Pixel> pixel) {
         text += QStringLiteral("   ") +
                 qt(value_text(*intensity, state_.document()->scene().settings.quantize));
     }
-    hovered_->set_texts({text, text.simplified()});
+    QString brief = text.simplified();
+    const int channels = brief.indexOf(QLatin1Char('('));  // those that are clamped
+    if (channels >= 0 && brief.endsWith(QStringLiteral("clamped)"))) {
+        brief = brief.left(channels) + QStringLiteral("(clamped)");
+    }
+    hovered_->set_texts({text, text.simplified(), brief});
 }
 
 QString MainWindow::ask_file(const QString& title) {
@@ -270,13 +276,20 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const auto urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile()) {
+    if (!urls.isEmpty() && urls.front().isLocalFile()) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    open(event->mimeData()->urls().front().toLocalFile());
+    const auto urls = event->mimeData()->urls();
+    if (urls.size() > 1) {
+        report(InputError("", "",
+                          std::to_string(urls.size()) +
+                              " files were dropped; must be one: a scene or a ray tree"));
+        return;
+    }
+    open(urls.front().toLocalFile());
 }
 
 }  // namespace raytree::inspector

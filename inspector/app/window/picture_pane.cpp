@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state/neighbours.h"
+#include "state/numbers.h"
 #include "tree/eight_bit.h"
 #include "window/icons.h"
 #include "window/qt_text.h"
@@ -15,6 +17,9 @@ namespace {
 constexpr double largest_scale = 160;
 constexpr double grid_from = 9;     // pixels of the pane to one of the picture's
 constexpr double values_from = 44;  // likewise
+constexpr double raw_values_from = 112;
+constexpr double wheel_zoom = 1.4;  // a notch
+constexpr double key_zoom = 2;
 constexpr int margin = 8;
 
 }  // namespace
@@ -27,13 +32,34 @@ PicturePane::PicturePane(State& state, PictureFeed& feed, QWidget* parent)
     setMinimumSize(160, 120);
     connect(&feed_, &PictureFeed::updated, this, &PicturePane::take_picture);
     state_.observe([this](const Changes& changes) {
-        if (changes.document || changes.request == Request::fit_picture) {
+        if (changes.document) {
             fit();
         } else if (changes.tree) {
             show_chosen();
         }
-        update();
+        if (changes.request) {
+            obey(*changes.request);
+        }
+        draw_again();
     });
+}
+
+void PicturePane::obey(Request request) {
+    if (request == Request::fit_picture) {
+        fit();
+    } else if (request == Request::picture_closer) {
+        zoom_onto_chosen(key_zoom);
+    } else if (request == Request::picture_further) {
+        zoom_onto_chosen(1 / key_zoom);
+    } else if (request == Request::picture_values) {
+        show_values();
+    }
+}
+
+/// What lies under the cursor may be something else, too, though it has not moved.
+void PicturePane::draw_again() {
+    update();
+    Q_EMIT hovered(cursor_ ? pixel_at(*cursor_) : std::nullopt);
 }
 
 void PicturePane::take_picture() {
@@ -45,7 +71,7 @@ void PicturePane::take_picture() {
     if (fitted_) {
         fit();
     }
-    update();
+    draw_again();
 }
 
 QSizeF PicturePane::picture_size() const {
@@ -64,7 +90,7 @@ void PicturePane::fit() {
     origin_ =
         QPointF((width() - scale_ * size.width()) / 2, (height() - scale_ * size.height()) / 2);
     fitted_ = true;
-    update();
+    draw_again();
 }
 
 /// The picture does not get lost outside the pane.
@@ -86,15 +112,27 @@ void PicturePane::zoom(double factor, QPointF about) {
     scale_ = scale;
     fitted_ = false;
     keep_in_place();
-    update();
+    draw_again();
 }
 
-/// Moves the picture when the chosen pixel has left the pane.
+void PicturePane::zoom_onto_chosen(double factor) {
+    zoom(factor, place_of(state_.pixel()));
+    show_chosen();
+}
+
+/// The chosen pixel in the middle, so large that the numbers in it and around it can be read.
+void PicturePane::show_values() {
+    origin_ += QRectF(rect()).center() - place_of(state_.pixel());
+    zoom(raw_values_from / scale_, QRectF(rect()).center());
+}
+
+/// Moves the picture when the chosen pixel's square is not whole in the pane.
 void PicturePane::show_chosen() {
     const QPointF at = place_of(state_.pixel());
-    const double room = std::min(40.0, std::min(width(), height()) / 4.0);
-    const QPointF inside(std::clamp(at.x(), room, width() - room),
-                         std::clamp(at.y(), room, height() - room));
+    const double wanted = std::max(40.0, scale_ / 2 + margin);
+    const double across = std::min(wanted, width() / 2.0), along = std::min(wanted, height() / 2.0);
+    const QPointF inside(std::clamp(at.x(), across, width() - across),
+                         std::clamp(at.y(), along, height() - along));
     if (!fitted_ && at != inside) {
         origin_ += inside - at;
         keep_in_place();
@@ -129,6 +167,7 @@ void PicturePane::paintEvent(QPaintEvent*) {
     if (scale_ >= values_from) {
         draw_values(painter);
     }
+    draw_neighbours(painter);
     draw_compared(painter);
     draw_cross(painter);
     draw_focus(painter, *this, palette);
@@ -168,7 +207,8 @@ void PicturePane::draw_grid(QPainter& painter) const {
 /// The 8-bit values in each pixel that is large enough.
 void PicturePane::draw_values(QPainter& painter) const {
     QFont font = painter.font();
-    font.setPixelSize(std::clamp(static_cast<int>(scale_ / 4.6), 9, 18));
+    const double line = scale_ >= raw_values_from ? 8 : 4.6;  // to a square
+    font.setPixelSize(std::clamp(static_cast<int>(scale_ / line), 9, 18));
     painter.setFont(font);
     const auto first = (QPointF(0, 0) - origin_) / scale_;
     const auto last = (QPointF(width(), height()) - origin_) / scale_;
@@ -182,7 +222,8 @@ void PicturePane::draw_values(QPainter& painter) const {
     }
 }
 
-/// What is written into a pixel, and whether its colour is bright.
+/// What is written into a pixel, and whether its colour is bright. An arrow points from a clamped
+/// value to where it came from.
 QString PicturePane::value_in(Pixel pixel, bool* bright) const {
     const auto is_bright = [](int r, int g, int b) { return 2 * r + 5 * g + b > 8 * 128; };
     if (!state_.document()->contains(pixel)) {
@@ -197,10 +238,42 @@ QString PicturePane::value_in(Pixel pixel, bool* bright) const {
     if (!intensity) {
         return {};
     }
-    const auto [r, g, b] =
-        eight_bit(*intensity, state_.document()->scene().settings.quantize).value;
-    *bright = is_bright(r, g, b);
-    return QStringLiteral("%1\n%2\n%3").arg(r).arg(g).arg(b);
+    const EightBit shown = eight_bit(*intensity, state_.document()->scene().settings.quantize);
+    *bright = is_bright(shown.value[0], shown.value[1], shown.value[2]);
+    QStringList lines;
+    const double raw[] = {intensity->r, intensity->g, intensity->b};
+    const std::vector<std::string> raw_texts = aligned(*intensity, 3);
+    for (std::size_t c = 0; c < 3; ++c) {
+        QString value = QString::number(shown.value[c]);
+        if (shown.clamped[c]) {
+            value += raw[c] > 1 ? QStringLiteral("↑") : QStringLiteral("↓");
+        }
+        lines << (scale_ < raw_values_from ? value
+                                           : qt(raw_texts[c]) + QStringLiteral(" → ") + value);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+/// A frame around the pixels whose trees are shown beside the chosen one's.
+void PicturePane::draw_neighbours(QPainter& painter) const {
+    QRectF frame = rect_of(state_.pixel());
+    for (const Pixel pixel : neighbours_of(state_.pixel(), state_.look().neighbours,
+                                           state_.document()->scene().camera)) {
+        frame |= rect_of(pixel);
+    }
+    if (frame == rect_of(state_.pixel())) {
+        return;
+    }
+    // Where pixels are small, outside the mark of the chosen one.
+    const double across = std::max(3.0, 8 - frame.width() / 2),
+                 along = std::max(3.0, 8 - frame.height() / 2);
+    frame.adjust(-across, -along, across, along);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, 235), 3.2));
+    painter.drawRoundedRect(frame, 3, 3);
+    painter.setPen(QPen(QColor(16, 21, 27), 1.2, Qt::DashLine));
+    painter.drawRoundedRect(frame, 3, 3);
 }
 
 /// Dark within light, so that it shows on any colour.
@@ -217,6 +290,9 @@ void PicturePane::draw_cross(QPainter& painter) const {
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(box);
+        if (scale_ >= values_from) {
+            return;  // the arms would cross out the numbers beside it
+        }
         const double gap = 2;
         painter.drawLine(QPointF(box.left() - gap, c.y()), QPointF(box.left() - arm, c.y()));
         painter.drawLine(QPointF(box.right() + gap, c.y()), QPointF(box.right() + arm, c.y()));
@@ -250,6 +326,8 @@ void PicturePane::resizeEvent(QResizeEvent*) {
         fit();
     } else {
         keep_in_place();
+        show_chosen();
+        draw_again();
     }
 }
 
@@ -262,25 +340,29 @@ void PicturePane::mousePressEvent(QMouseEvent* event) {
 }
 
 void PicturePane::mouseMoveEvent(QMouseEvent* event) {
+    cursor_ = event->localPos();
     const auto pixel = pixel_at(event->localPos());
     if (event->buttons() != Qt::NoButton && moving_) {
         origin_ += event->localPos() - grabbed_;
         grabbed_ = event->localPos();
         fitted_ = false;
         keep_in_place();
-        update();
     } else if (pixel && (event->buttons() & Qt::LeftButton)) {
         state_.pick(*pixel, Pick::on_the_way);
     }
-    Q_EMIT hovered(pixel);
+    draw_again();
 }
 
 void PicturePane::mouseReleaseEvent(QMouseEvent*) { moving_ = false; }
 
-void PicturePane::leaveEvent(QEvent*) { Q_EMIT hovered(std::nullopt); }
+void PicturePane::leaveEvent(QEvent*) {
+    cursor_.reset();
+    draw_again();
+}
 
 void PicturePane::wheelEvent(QWheelEvent* event) {
-    zoom(std::pow(1.2, event->angleDelta().y() / 120.0), event->position());
+    cursor_ = event->position();
+    zoom(std::pow(wheel_zoom, event->angleDelta().y() / 120.0), event->position());
     event->accept();
 }
 

@@ -20,7 +20,8 @@ class PicturePane : public QWidget {
     QSize sizeHint() const override { return {400, 330}; }
 
   Q_SIGNALS:
-    /// The pixel under the cursor; none when it has left the picture.
+    /// The pixel under the cursor; none when it has left the picture. Told again whenever it, or
+    /// what is known of it, may have become another, whatever the cause.
     void hovered(std::optional<raytree::inspector::Pixel> pixel);
 
   protected:
@@ -33,10 +34,14 @@ class PicturePane : public QWidget {
     void wheelEvent(QWheelEvent* event) override;
 
   private:
+    void obey(Request request);
     void take_picture();
+    void draw_again();
     void fit();
     void keep_in_place();
     void zoom(double factor, QPointF about);
+    void zoom_onto_chosen(double factor);
+    void show_values();
     void show_chosen();
     std::optional<Pixel> pixel_at(QPointF place) const;
     QRectF rect_of(Pixel pixel) const;
@@ -45,6 +50,7 @@ class PicturePane : public QWidget {
     QString value_in(Pixel pixel, bool* bright) const;
     void draw_grid(QPainter& painter) const;
     void draw_values(QPainter& painter) const;
+    void draw_neighbours(QPainter& painter) const;
     void draw_cross(QPainter& painter) const;
     void draw_compared(QPainter& painter) const;
 
@@ -54,6 +60,7 @@ class PicturePane : public QWidget {
     double scale_ = 1;    ///< of the pane's pixels to one of the picture's
     QPointF origin_;      ///< of the picture in the pane
     bool fitted_ = true;  ///< as long as nobody has zoomed
+    std::optional<QPointF> cursor_;
     QPointF grabbed_;
     bool moving_ = false;
 };

@@ -64,12 +64,27 @@ void add_marks(std::vector<SceneLabel>& labels, const State& state, const Extent
     }
 }
 
+RayKind kind_of_look(RayLook look) {
+    switch (look) {
+        case RayLook::primary:
+            return RayKind::primary;
+        case RayLook::reflected:
+            return RayKind::reflected;
+        case RayLook::refracted:
+            return RayKind::refracted;
+        default:
+            return RayKind::shadow;
+    }
+}
+
 }  // namespace
 
 SceneLegend legend_of(const State& state, const std::vector<RayPath>& paths) {
     SceneLegend legend;
     for (const RayPath& path : paths) {
         legend.looks[static_cast<std::size_t>(path.look)] = true;
+        legend.dimmed[static_cast<std::size_t>(path.look)] =
+            state.look().filter.of(group_of(kind_of_look(path.look))) == Shown::dimmed;
         legend.open |= path.end == RayPath::End::open;
     }
     const TreeRay<double>* const ray = state.look().ghosts ? state.selected() : nullptr;

@@ -25,8 +25,9 @@ struct SceneLabel {
 /// What the legend explains: only what is drawn.
 struct SceneLegend {
     std::array<bool, look_count> looks = {};
-    bool open = false;    ///< rays that meet nothing
-    bool unsent = false;  ///< rays that were not sent
+    std::array<bool, look_count> dimmed = {};  ///< of those, the kinds that the filter dims
+    bool open = false;                         ///< rays that meet nothing
+    bool unsent = false;                       ///< rays that were not sent
 
     friend bool operator==(const SceneLegend&, const SceneLegend&) = default;
 };

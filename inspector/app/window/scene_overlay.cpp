@@ -69,7 +69,7 @@ std::vector<SceneOverlay::Entry> SceneOverlay::entries() const {
     std::vector<Entry> all;
     for (std::size_t k = 0; k < look_count; ++k) {
         if (legend_.looks[k]) {
-            all.push_back({static_cast<RayLook>(k), names[k]});
+            all.push_back({static_cast<RayLook>(k), names[k], false, legend_.dimmed[k]});
         }
     }
     if (legend_.open) {
@@ -148,7 +148,9 @@ void SceneOverlay::draw_entry(QPainter& painter, const Entry& entry, const QRect
     const Palette& palette = palette_of(state_.look().theme);
     const QRectF sign(place.left(), place.center().y() - 8, sign_width, 16);
     if (entry.look) {
+        painter.setOpacity(entry.dimmed ? 0.35 : 1);  // as the rays are
         draw_sign(painter, sign, *entry.look, palette);
+        painter.setOpacity(1);
     } else if (entry.dotted) {
         painter.setPen(QPen(qt(palette.dim_text), 2, Qt::DotLine));
         painter.drawLine(QPointF(sign.left() + 1, sign.center().y()),
@@ -158,7 +160,7 @@ void SceneOverlay::draw_entry(QPainter& painter, const Entry& entry, const QRect
         painter.setPen(QPen(qt(palette.text), 1.8));
         painter.drawEllipse(sign.center(), 4, 4);
     }
-    painter.setPen(qt(palette.text));
+    painter.setPen(qt(entry.dimmed ? palette.dim_text : palette.text));
     painter.drawText(place.adjusted(sign_width + gap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      entry.text);
 }

@@ -34,7 +34,7 @@ class SceneOverlay : public QWidget {
     struct Entry {
         std::optional<RayLook> look;  ///< none: a ring, or dots for what was not sent
         QString text;
-        bool dotted = false;
+        bool dotted = false, dimmed = false;
     };
     struct Layout {
         std::vector<QPointF> places;  ///< of the entries, from the box's top left corner

@@ -101,6 +101,9 @@ void ScenePane::obey(Request request) {
     if (view) {
         standing_ = request;
         change_view(*view);
+    } else if (const auto moved = moved_view(request)) {
+        standing_.reset();
+        change_view(*moved);
     }
 }
 
@@ -195,8 +198,14 @@ void ScenePane::show_notes() {
         notes << QStringLiteral("solid shapes are cut open here");
     }
     if (state_.tree() && !state_.tree()->neighbours.empty()) {
-        notes << QStringLiteral("thin: the trees of %1 pixels around")
-                     .arg(state_.tree()->neighbours.size());
+        const Neighbours which = state_.look().neighbours;
+        const auto count = state_.tree()->neighbours.size();
+        notes << QStringLiteral("thin: the trees of %1 %2 %3")
+                     .arg(count)
+                     .arg(count == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"),
+                          which == Neighbours::row      ? QStringLiteral("of its row")
+                          : which == Neighbours::column ? QStringLiteral("of its column")
+                                                        : QStringLiteral("around it"));
     }
     if (const std::string contrast = contrast_note(state_); !contrast.empty()) {
         notes << qt(contrast);

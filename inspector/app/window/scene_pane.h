@@ -77,6 +77,7 @@ class ScenePane : public QWidget {
     void take_tree();
     /// None where there is no such view.
     std::optional<View> asked_view(Request request) const;
+    std::optional<View> moved_view(Request request) const;
     std::vector<RayPath> whole_tree() const;
     std::vector<Point3> selected_points() const;
     void change_view(const View& view);

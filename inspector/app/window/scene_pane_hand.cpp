@@ -18,6 +18,9 @@ namespace {
 constexpr double click_reach = 9;  // pixels around the cursor
 constexpr double drag_from = 4;    // pixels that make a click a drag
 constexpr double degrees_a_pixel = 0.4;
+constexpr double notch_zoom = 1.15;  // of the wheel
+constexpr double key_degrees = 10;
+constexpr double stroke_zoom = 1.3;  // of a key
 
 }  // namespace
 
@@ -57,7 +60,8 @@ bool ScenePane::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Wheel:
             standing_.reset();
             change_view(zoomed(
-                view_, std::pow(1.15, static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0)));
+                view_,
+                std::pow(notch_zoom, static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0)));
             return true;
         default:
             return QWidget::eventFilter(watched, event);
@@ -68,6 +72,26 @@ void ScenePane::drag(QPointF by, bool move) {
     standing_.reset();
     change_view(move ? panned(view_, by.x(), -by.y())
                      : orbited(view_, by.x() * degrees_a_pixel, by.y() * degrees_a_pixel));
+}
+
+/// What keys do as the hand does; none for other requests.
+std::optional<View> ScenePane::moved_view(Request request) const {
+    switch (request) {
+        case Request::view_closer:
+            return zoomed(view_, stroke_zoom);
+        case Request::view_further:
+            return zoomed(view_, 1 / stroke_zoom);
+        case Request::turn_left:
+            return orbited(view_, -key_degrees, 0);
+        case Request::turn_right:
+            return orbited(view_, key_degrees, 0);
+        case Request::turn_up:
+            return orbited(view_, 0, -key_degrees);
+        case Request::turn_down:
+            return orbited(view_, 0, key_degrees);
+        default:
+            return std::nullopt;
+    }
 }
 
 std::optional<std::size_t> ScenePane::ray_at(QPointF at) const {
