@@ -241,7 +241,8 @@ class Outline {
             point_text(hit.point) + "; " + angle_text(hit.cos_incident) + " from the normal " +
                 point_text(hit.normal));
         if (hit.interface) {
-            row(at, "η", refraction_text(hit) + added_to_kr(hit));
+            row(at, "η",
+                refraction_text(hit) + (kt_joins_kr(tree_, hit) ? "; kt is added to kr" : ""));
         }
         write_share(ray, at);
         write_sum(ray, at);
@@ -249,12 +250,6 @@ class Outline {
         if (ray.termination) {
             row(at, "ends", ended_text(tree_, ray));
         }
-    }
-
-    std::string added_to_kr(const TreeHit<double>& hit) const {
-        const bool total = hit.interface->sin2_transmitted > 1;
-        const bool reflect = tree_.settings.total_internal_reflection == TotalReflection::reflect;
-        return total && reflect ? "; kt is added to kr" : "";
     }
 
     void write_share(const Ray& ray, const Place& at) {

@@ -43,13 +43,14 @@ Term plain_term(const char* symbols, const Rgb<double>& c) {
     return {symbols, {number_text(c.r), number_text(c.g), number_text(c.b)}, is_grey(c)};
 }
 
-Term branch_term(const TreeHit<double>& hit, const TreeRay<double>& child) {
+Term branch_term(const RayTree<double>& tree, const TreeHit<double>& hit,
+                 const TreeRay<double>& child) {
     const bool reflected = child.kind == RayKind::reflected;
     const bool attenuated = child.attenuation != 1;
     const Rgb<double>& coefficient = reflected ? hit.kr : hit.kt;
     Term term;
-    term.symbols = std::string(reflected ? "kr·" : "kt·") + (attenuated ? "f·" : "") +
-                   (reflected ? "Ir" : "It");
+    const char* const k = !reflected ? "kt·" : kt_joins_kr(tree, hit) ? "(kr+kt)·" : "kr·";
+    term.symbols = std::string(k) + (attenuated ? "f·" : "") + (reflected ? "Ir" : "It");
     for (std::size_t c = 0; c < 3; ++c) {
         term.numbers[c] = number_text(channels(coefficient)[c]) + "·" +
                           (attenuated ? number_text(child.attenuation) + "·" : "") +
@@ -165,6 +166,11 @@ std::vector<std::vector<std::size_t>> children_of(const RayTree<double>& tree) {
     return children;
 }
 
+bool kt_joins_kr(const RayTree<double>& tree, const TreeHit<double>& hit) {
+    return hit.interface && hit.interface->sin2_transmitted > 1 && !is_zero(hit.kt) &&
+           tree.settings.total_internal_reflection == TotalReflection::reflect;
+}
+
 std::vector<Term> terms_of(const RayTree<double>& tree, const TreeRay<double>& ray,
                            const std::vector<std::size_t>& children) {
     std::vector<Term> terms = {plain_term("ambient", noticed(ray.ambient, ray.intensity)),
@@ -172,7 +178,7 @@ std::vector<Term> terms_of(const RayTree<double>& tree, const TreeRay<double>& r
                                plain_term("specular", noticed(ray.specular, ray.intensity))};
     for (const std::size_t child : children) {
         if (tree.rays[child].kind != RayKind::shadow) {
-            terms.push_back(branch_term(*ray.hit, tree.rays[child]));
+            terms.push_back(branch_term(tree, *ray.hit, tree.rays[child]));
         }
     }
     return terms;

@@ -34,8 +34,13 @@ std::array<double, 3> channels(const Rgb<double>& c);
 /// The children of every ray, in the order of the tree.
 std::vector<std::vector<std::size_t>> children_of(const RayTree<double>& tree);
 
+/// Whether the reflected ray takes over what a total reflection keeps from the refracted one: the
+/// hit's kr is then the material's kr + kt (model, "Refraction").
+bool kt_joins_kr(const RayTree<double>& tree, const TreeHit<double>& hit);
+
 /// One term of `I = ambient + diffuse + specular + kr·f·Ir + kt·f·It` at a hit: "ambient", or
-/// "kr·f·Ir", with f left out where it is 1; and the same in numbers, for each channel.
+/// "kr·f·Ir", with f left out where it is 1, and "(kr+kt)·f·Ir" where kt joins kr; and the same in
+/// numbers, for each channel.
 struct Term {
     std::string symbols;
     std::array<std::string, 3> numbers;

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "app/scenes.h"
 #include "state/details.h"
 #include "state/numbers.h"
@@ -66,6 +68,27 @@ TEST_CASE("app: what a sum does not notice is shown as 0, and copied with its di
             CHECK(find_row(added, "+ specular")->cells[0] == "0");
         }
     }
+}
+
+TEST_CASE("app: details say where kt is added to kr") {
+    PixelTree tree = ball_tree();
+    TreeRay<double>& ray = tree.tree.rays[0];
+    REQUIRE(ray.hit);
+    REQUIRE(ray.hit->interface);
+    REQUIRE(find_row(details_of(tree, 0), "+ kr·f·Ir"));
+    const Rgb<double> kr = ray.hit->kr;
+    ray.hit->interface = Interface<double>{1.5, 1, 1.2};
+    CHECK(find_row(details_of(tree, 0), "   kr"));  // a lecture that drops the light
+    tree.tree.settings.total_internal_reflection = TotalReflection::reflect;
+    const auto sections = details_of(tree, 0);
+    CHECK(find_row(sections, "+ (kr+kt)·f·Ir"));
+    const DetailRow* const sum = find_row(sections, "   kr + kt");
+    REQUIRE(sum);
+    CHECK(sum->values == std::vector<double>{kr.r, kr.g, kr.b});
+    const auto refraction = std::ranges::find(sections, "Refraction", &DetailSection::title);
+    REQUIRE(refraction != sections.end());
+    REQUIRE(refraction->sentences.size() == 1);
+    CHECK(refraction->sentences[0].find("kt is added to kr") != std::string::npos);
 }
 
 TEST_CASE("app: numbers in a column have the same decimals") {

@@ -119,6 +119,48 @@ TEST_CASE("app: the rays of a thing keep their colour and are listed in its deta
     }
 }
 
+TEST_CASE("app: a mesh's extent and a transform's columns are in an object's details") {
+    Scene scene = test::glass_ball_scene();
+    raytree::Mesh mesh;
+    mesh.vertices = {{-1, 0, 2}, {3, 0, 2}, {0, 5, -4}};
+    mesh.triangles = {
+        {raytree::Mesh::Corner{0}, raytree::Mesh::Corner{1}, raytree::Mesh::Corner{2}}};
+    // A quarter turn about z, and then 7 to the right.
+    const Affine quarter_turn = {{{0, -1, 0, 7}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
+    scene.objects.push_back({"net", 0, quarter_turn, mesh});
+    const auto sections = details_of(scene, nullptr, {object, scene.objects.size() - 1});
+    const auto values = [&](const std::string& label) {
+        for (const DetailSection& section : sections) {
+            for (const DetailRow& row : section.rows) {
+                if (row.label == label) {
+                    return row.values;
+                }
+            }
+        }
+        return std::vector<double>();
+    };
+    CHECK(values("from") == std::vector<double>{-1, 0, -4});
+    CHECK(values("to") == std::vector<double>{3, 5, 2});
+    CHECK(values("x axis goes to") == std::vector<double>{0, 1, 0});
+    CHECK(values("y axis goes to") == std::vector<double>{-1, 0, 0});
+    CHECK(values("origin goes to") == std::vector<double>{7, 0, 0});
+}
+
+TEST_CASE("app: a point is hidden where something stands before it") {
+    const auto document = test::document_of(test::glass_ball_scene());  // the ball: (0, 1, 0), 1
+    View view;
+    view.eye = {0, 1, 8};
+    view.target = {0, 1, 0};
+    CHECK_FALSE(is_hidden(*document, view, {0, 1, 1}));  // on the ball, in front
+    CHECK_FALSE(is_hidden(*document, view, {0, 1, 3}));
+    CHECK(is_hidden(*document, view, {0, 1, 0}));
+    CHECK(is_hidden(*document, view, {0, 1, -1}));  // on the ball, behind
+    CHECK_FALSE(is_hidden(*document, view, {1.5, 1, -1}));
+    view.cut = 8;  // the half towards the viewer is cut away
+    CHECK_FALSE(is_hidden(*document, view, {0, 1, -0.5}));
+    CHECK_FALSE(is_hidden(*document, view, {0, 1, 7.9}));
+}
+
 TEST_CASE("app: lights and objects are found where they are drawn") {
     const auto document = test::document_of(test::glass_ball_scene());
     const Extent extent = extent_of(*document);

@@ -20,6 +20,7 @@
 #include "window/filter_pane.h"
 #include "window/outline_pane.h"
 #include "window/picture_pane.h"
+#include "window/scene_labels.h"
 
 namespace raytree::inspector {
 
@@ -327,6 +328,56 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY(QRectF(pane.rect()).contains(*pane.place_of(place_of(key, extent))));
         const auto gone = QPointF(place->x, place->y);
         QVERIFY(!selection_is_seen(view_image(), gone));
+    }
+
+    void lights_that_are_asked_outside_the_view_are_pointed_to() {
+        const Extent extent = extent_of(*state_.document());
+        run_command(state_, "view.camera");  // the lamp is behind it
+        const auto pointed_to = [&] {
+            QStringList names;
+            for (const SceneLabel& label :
+                 scene_labels(state_, extent, window_->scene_pane().view(), true)) {
+                if (!label.strong && !label.away.isEmpty()) {
+                    names << label.away;
+                }
+            }
+            return names;
+        };
+        const auto& rays = state_.tree()->tree.rays;
+        QVERIFY(std::ranges::any_of(rays, [](const TreeRay<double>& ray) {
+            return ray.shadow && ray.shadow->light == "key";
+        }));
+        QVERIFY(pointed_to().contains(QStringLiteral("key")));
+        run_command(state_, "filter.set", "hidden light key");  // nor are its rays seen
+        QVERIFY(!pointed_to().contains(QStringLiteral("key")));
+        run_command(state_, "filter.clear");
+        run_command(state_, "light.select", "key");  // has a larger arrow of its own
+        QVERIFY(!pointed_to().contains(QStringLiteral("key")));
+        run_command(state_, "thing.none");
+    }
+
+    void many_lights_close_together_have_one_name() {
+        Scene scene = test::glass_ball_scene();
+        for (int k = 0; k < 18; ++k) {
+            scene.lights.push_back({"lamp " + std::to_string(k), Colour(0.05),
+                                    PointLight{{3 + 0.01 * k, 5.0, 4.0}, {}}});
+        }
+        state_.show(test::opened(scene));
+        QTRY_VERIFY(state_.tree());
+        const Extent extent = extent_of(*state_.document());
+        int named = 0, told = 0;
+        for (const SceneLabel& label :
+             scene_labels(state_, extent, window_->scene_pane().view(), false)) {
+            const bool lamp = label.text.startsWith(QStringLiteral("lamp")) ||
+                              label.text.startsWith(QStringLiteral("key"));
+            const QString more = label.text.section(QStringLiteral(" and "), 1).section(QLatin1Char(' '), 0, 0);
+            named += lamp ? 1 : 0;
+            told += lamp ? 1 + more.toInt() : 0;
+        }
+        QVERIFY2(named <= 3, qPrintable(QString::number(named)));
+        QVERIFY2(told >= 18, qPrintable(QString::number(told)));
+        state_.show(test::opened(test::glass_ball_scene()));
+        QTRY_VERIFY(state_.tree() && window_->feed().done());
     }
 
     /// On screens of any number of pixels (run with QT_SCALE_FACTOR=2 as well).

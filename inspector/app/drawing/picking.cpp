@@ -32,9 +32,9 @@ struct Sight {
     Point3 at;
 };
 
-std::optional<Sight> sight_of(const Document& document, const View& view, double x, double y) {
+std::optional<Sight> sight_along(const Document& document, const View& view,
+                                 const Point3& direction) {
     const auto& shapes = document.world().shapes;
-    const Point3 direction = direction_through(view, x, y);
     const double cut = view.cut / glm::dot(direction, axes_of(view).forward);
     const Ray<double> ray{view.eye + direction * cut, direction, 0};
     NoTestCount count;
@@ -46,11 +46,25 @@ std::optional<Sight> sight_of(const Document& document, const View& view, double
                  ray.origin + direction * hit->t};
 }
 
+std::optional<Sight> sight_of(const Document& document, const View& view, double x, double y) {
+    return sight_along(document, view, direction_through(view, x, y));
+}
+
 }  // namespace
 
 std::optional<Thing> object_at(const Document& document, const View& view, double x, double y) {
     const auto sight = sight_of(document, view, x, y);
     return sight ? std::optional(sight->object) : std::nullopt;
+}
+
+bool is_hidden(const Document& document, const View& view, const Point3& p) {
+    constexpr double on_it = 1e-3;  // of the distance: the point may lie on what is met
+    const double distance = glm::length(p - view.eye);
+    if (!(distance > 0)) {
+        return false;
+    }
+    const auto sight = sight_along(document, view, (p - view.eye) / distance);
+    return sight && glm::length(sight->at - view.eye) < (1 - on_it) * distance;
 }
 
 std::optional<Point3> seen_point(const Document& document, const View& view, Thing object) {

@@ -15,6 +15,9 @@ std::optional<Thing> light_at(const Scene& scene, const Extent& extent, const Vi
 /// The object that is seen there, were all solid, behind what the view cuts away.
 std::optional<Thing> object_at(const Document& document, const View& view, double x, double y);
 
+/// Whether something stands before a point, were all solid, behind what the view cuts away.
+bool is_hidden(const Document& document, const View& view, const Point3& p);
+
 /// A point of an object that is seen, were all solid: the first one looking from the view's middle
 /// outwards, place by place of a coarse grid. None where it is hidden, outside, or small.
 std::optional<Point3> seen_point(const Document& document, const View& view, Thing object);

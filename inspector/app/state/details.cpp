@@ -72,7 +72,7 @@ DetailSection hit_of(const TreeHit<double>& hit) {
     return section;
 }
 
-DetailSection refraction_of(const TreeHit<double>& hit) {
+DetailSection refraction_of(const RayTree<double>& tree, const TreeHit<double>& hit) {
     const Interface<double>& at = *hit.interface;
     DetailSection section{"Refraction", {}, {}};
     section.rows.push_back(
@@ -91,16 +91,22 @@ DetailSection refraction_of(const TreeHit<double>& hit) {
         section.rows.push_back(
             text_row("critical angle", angle_text(std::sqrt(1 - ratio * ratio)) + ", exceeded"));
     }
+    if (kt_joins_kr(tree, hit)) {
+        section.sentences.push_back(
+            "The reflection is total: the reflected ray takes over what the refracted one would "
+            "have, kt is added to kr.");
+    }
     return section;
 }
 
 void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay<double>& child,
                 std::vector<Row>& rows) {
     const bool reflected = child.kind == RayKind::reflected;
-    const std::string k = reflected ? "kr" : "kt", i = reflected ? "Ir" : "It";
+    const bool joined = reflected && kt_joins_kr(tree.tree, *ray.hit);
+    const std::string k = joined ? "kr + kt" : reflected ? "kr" : "kt", i = reflected ? "Ir" : "It";
     const Rgb<double>& coefficient = reflected ? ray.hit->kr : ray.hit->kt;
     const Rgb<double> share = child.attenuation * (coefficient * child.intensity);
-    rows.push_back(summand_row("+ " + k + "·f·" + i, share, ray.intensity));
+    rows.push_back(summand_row("+ " + (joined ? "(kr+kt)" : k) + "·f·" + i, share, ray.intensity));
     const auto faint = [&](const std::string& label, const Rgb<double>& triple) {
         rows.push_back(triple_row("   " + label, triple));
         rows.back().weight = Weight::faint;
@@ -229,7 +235,7 @@ std::vector<DetailSection> details_of(const PixelTree& tree, std::size_t id) {
         sections.push_back(hit_of(*ray.hit));
     }
     if (ray.hit && ray.hit->interface) {
-        sections.push_back(refraction_of(*ray.hit));
+        sections.push_back(refraction_of(tree.tree, *ray.hit));
     }
     sections.push_back(share_of(ray));
     sections.push_back(way_of(tree, ray));

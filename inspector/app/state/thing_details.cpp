@@ -1,6 +1,7 @@
 #include "state/thing_details.h"
 
 #include <array>
+#include <glm/common.hpp>
 
 #include "formats/tree_diagram.h"
 #include "state/numbers.h"
@@ -69,10 +70,28 @@ void add(std::vector<Row>& rows, const Polygon& polygon) {
 }
 
 void add(std::vector<Row>& rows, const Mesh& mesh) {
-    rows.push_back(text_row("shape", "mesh of " + std::to_string(mesh.triangles.size()) +
-                                         " triangles" + (mesh.smooth ? ", smooth" : ", flat")));
+    const auto counted = [](std::size_t n, const std::string& one, const std::string& many) {
+        return grouped(static_cast<double>(n)) + " " + (n == 1 ? one : many);
+    };
+    rows.push_back(text_row("shape", "mesh of " +
+                                         counted(mesh.triangles.size(), "triangle", "triangles") +
+                                         (mesh.smooth ? ", smooth" : ", flat")));
+    rows.push_back(text_row(
+        "", counted(mesh.vertices.size(), "vertex, ", "vertices, ") +
+                (mesh.normals.empty() ? "no normals"
+                                      : counted(mesh.normals.size(), "normal", "normals"))));
     if (!mesh.file.empty()) {
         rows.push_back(text_row("file", mesh.file));
+    }
+    if (!mesh.vertices.empty()) {
+        Point low = mesh.vertices.front(), high = low;
+        for (const Point& vertex : mesh.vertices) {
+            low = glm::min(low, vertex);
+            high = glm::max(high, vertex);
+        }
+        rows.push_back(heading({"x", "y", "z"}));
+        rows.push_back(triple_row("from", low));
+        rows.push_back(triple_row("to", high));
     }
 }
 
@@ -80,7 +99,22 @@ DetailSection shape_of(const Object& object) {
     DetailSection section{"Shape", {}, {}};
     std::visit([&](const auto& shape) { add(section.rows, shape); }, object.shape);
     if (object.transform) {
-        section.sentences.push_back("In its own space: a transform takes it into the scene.");
+        section.sentences.push_back(
+            "In its own space: the transform below takes it into the "
+            "scene.");
+    }
+    return section;
+}
+
+/// By where it takes the axes of the shape's own space and its origin: the columns of its matrix.
+DetailSection transform_of(const Affine& transform) {
+    DetailSection section{"Transform", {}, {}};
+    auto& rows = section.rows;
+    rows.push_back(heading({"x", "y", "z"}));
+    const char* const labels[] = {"x axis goes to", "y axis goes to", "z axis goes to",
+                                  "origin goes to"};
+    for (std::size_t k = 0; k < 4; ++k) {
+        rows.push_back(triple_row(labels[k], {transform[0][k], transform[1][k], transform[2][k]}));
     }
     return section;
 }
@@ -168,6 +202,9 @@ std::vector<DetailSection> details_of(const Scene& scene, const PixelTree* tree,
         const Object& object = scene.objects[thing.index];
         sections.push_back(material_of(scene.materials[object.material]));
         sections.push_back(shape_of(object));
+        if (object.transform) {
+            sections.push_back(transform_of(*object.transform));
+        }
     }
     return sections;
 }

@@ -1,6 +1,7 @@
 #include "window/scene_labels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drawing/angles.h"
 #include "drawing/edge_place.h"
@@ -61,6 +62,86 @@ void add_marks(std::vector<SceneLabel>& labels, const State& state, const Extent
         for (const TreeRay<double>& ray : tree->tree.rays) {
             add(ray, causes);
         }
+    }
+}
+
+/// Of very many lights, those that stand close together on the screen have one name for all.
+void add_lights_seen(std::vector<SceneLabel>& labels, const State& state, const Extent& extent,
+                     const View& view) {
+    constexpr std::size_t many = 6;
+    constexpr double wide = 100, high = 26;  // pixels that a name takes
+    struct Group {
+        ScreenPoint at;
+        std::size_t light, others = 0;
+    };
+    const std::vector<Light>& lights = state.document()->scene().lights;
+    std::vector<Group> groups;
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        const Point3 place = place_of(lights[k], extent);
+        const QString name = qt(lights[k].name);
+        if (state.thing() == Thing{Thing::Kind::light, k}) {
+            labels.push_back({place, name, true, std::nullopt, name});
+        } else if (const auto at = project(view, place)) {
+            const auto near = std::ranges::find_if(groups, [&](const Group& group) {
+                return std::abs(group.at.x - at->x) < wide && std::abs(group.at.y - at->y) < high;
+            });
+            if (lights.size() > many && near != groups.end()) {
+                ++near->others;
+            } else {
+                groups.push_back({*at, k});
+            }
+        }
+    }
+    for (const Group& group : groups) {
+        QString name = qt(lights[group.light].name);
+        if (group.others > 0) {
+            name += QStringLiteral(" and %1 more").arg(group.others);
+        }
+        labels.push_back({place_of(lights[group.light], extent), name});
+    }
+}
+
+/// The lights to which the shown rays ask their way, in the order of the scene.
+std::vector<std::size_t> asked_lights(const State& state) {
+    constexpr std::size_t most_rays = 5000;  // that are looked at
+    const auto& tree = state.tree();
+    const std::vector<Light>& lights = state.document()->scene().lights;
+    std::vector<bool> asked(lights.size());
+    for (std::size_t k = 0; tree && k < std::min(most_rays, tree->tree.rays.size()); ++k) {
+        const TreeRay<double>& ray = tree->tree.rays[k];
+        const bool sent = !state.playback() || state.playback()->stage(ray.id) != Stage::unsent;
+        if (ray.shadow && sent && shown(state.look().filter, *tree, ray) != Shown::hidden) {
+            const auto light = std::ranges::find(lights, ray.shadow->light, &Light::name);
+            if (light != lights.end()) {
+                asked[static_cast<std::size_t>(light - lights.begin())] = true;
+            }
+        }
+    }
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        if (asked[k]) {
+            places.push_back(k);
+        }
+    }
+    return places;
+}
+
+/// Where the light comes from when its lamp is outside the view.
+void add_lights_away(std::vector<SceneLabel>& labels, const State& state, const Extent& extent,
+                     const View& view) {
+    constexpr std::size_t most_arrows = 3;
+    const std::vector<Light>& lights = state.document()->scene().lights;
+    std::vector<std::size_t> away = asked_lights(state);
+    std::erase_if(away, [&](std::size_t k) {
+        return state.thing() == Thing{Thing::Kind::light, k} ||
+               !is_outside(view, place_of(lights[k], extent));
+    });
+    for (std::size_t k = 0; k < std::min(away.size(), most_arrows); ++k) {
+        QString name = qt(lights[away[k]].name);
+        if (k + 1 == most_arrows && away.size() > most_arrows) {
+            name += QStringLiteral(" and %1 more lights").arg(away.size() - most_arrows);
+        }
+        labels.push_back({place_of(lights[away[k]], extent), {}, false, std::nullopt, name});
     }
 }
 
@@ -130,14 +211,21 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     const QString away = from_outside && !state.thing() ? qt(title_of(*ray)) : QString();
     if (ray && ray->hit) {
         if (object_named(scene, ray->hit->object) != state.thing()) {
-            labels.push_back({ray->hit->point, qt(ray->hit->object), true, std::nullopt, away});
+            labels.push_back(
+                {ray->hit->point, qt(ray->hit->object), true, std::nullopt, away, true});
         }
         if (state.look().angles) {
-            labels.push_back({normal_tip(*ray->hit, extent, view), QStringLiteral("n"), false});
+            labels.push_back({normal_tip(*ray->hit, extent, view),
+                              QStringLiteral("n"),
+                              false,
+                              std::nullopt,
+                              {},
+                              false,
+                              ray->hit->point});
         }
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
-                          qt(ray->shadow->blocked_by->object), true, std::nullopt, away});
+                          qt(ray->shadow->blocked_by->object), true, std::nullopt, away, true});
     } else if (ray) {
         labels.push_back({ray->origin, QString(), true, std::nullopt, away});
     }
@@ -145,18 +233,20 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
         labels.push_back({mark.at, qt(mark.words), true});
     }
     add_marks(labels, state, extent);
-    for (std::size_t k = 0; k < scene.lights.size(); ++k) {
-        const bool chosen = state.thing() == Thing{Thing::Kind::light, k};
-        const QString name = qt(scene.lights[k].name);
-        labels.push_back({place_of(scene.lights[k], extent), name, chosen, std::nullopt,
-                          chosen ? name : QString()});
-    }
+    add_lights_seen(labels, state, extent, view);
+    add_lights_away(labels, state, extent, view);
     if (!from_the_eye) {
         labels.push_back({scene.camera.eye, QStringLiteral("eye"), false});
         labels.push_back({picture_corners(*state.document(), extent.plane_distance)[0],
                           QStringLiteral("picture"), false});
     }
     return labels;
+}
+
+void mark_hidden(std::vector<SceneLabel>& labels, const Document& document, const View& view) {
+    for (SceneLabel& label : labels) {
+        label.hidden = is_hidden(document, view, label.at);
+    }
 }
 
 }  // namespace raytree::inspector

@@ -19,7 +19,10 @@ struct SceneLabel {
     QString text;
     bool strong = false;
     std::optional<Point3> out = std::nullopt;  ///< towards which it may be moved
-    QString away = {};  ///< what is written at the edge where it is outside; empty: nothing
+    QString away = {};    ///< what is written at the edge where it is outside; empty: nothing
+    bool ringed = false;  ///< the place itself matters: it is shown where something hides it
+    std::optional<Point3> stem = std::nullopt;  ///< likewise, with a line from here
+    bool hidden = false;                        ///< behind a solid shape
 };
 
 /// What the legend explains: only what is drawn.
@@ -39,8 +42,12 @@ std::string contrast_note(const State& state);
 /// The selected ray, where it is known by now what it meets; else null.
 const TreeRay<double>* selected_and_found(const State& state);
 
-/// The names of what stands in the 3D view just now.
+/// The names of what stands in the 3D view just now, and of the lights that are asked and lie
+/// outside it.
 std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, const View& view,
                                      bool from_the_eye);
+
+/// Marks those whose place lies behind a shape that is drawn solid.
+void mark_hidden(std::vector<SceneLabel>& labels, const Document& document, const View& view);
 
 }  // namespace raytree::inspector

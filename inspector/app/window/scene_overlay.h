@@ -48,6 +48,7 @@ class SceneOverlay : public QWidget {
     void draw_entry(QPainter& painter, const Entry& entry, const QRectF& place) const;
     void draw_leader(QPainter& painter, QPointF from, const QRectF& box) const;
     void draw_label(QPainter& painter, const SceneLabel& label, const QRectF& place) const;
+    void draw_through(QPainter& painter, const SceneLabel& label, QPointF at) const;
     void draw_away(QPainter& painter, const SceneLabel& label, std::vector<WordBox>& taken) const;
     void draw_labels(QPainter& painter, QRectF legend) const;
 

@@ -155,6 +155,9 @@ ScenePane::Described ScenePane::describe(const View& view, const Shapes& shapes)
     }
     std::ranges::copy(scene_labels(state_, extent_, view, looks_from_the_eye(view)),
                       std::back_inserter(labels));
+    if (state_.look().shapes == ShapeStyle::solid) {
+        mark_hidden(labels, *state_.document(), cut_open(view));
+    }
     std::ranges::stable_partition(labels, &SceneLabel::strong);
     return {
         {state_.look().theme, shapes, state_.look().shapes, extent_, picture_, picture_place(view),
