@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "tree/explain.h"
@@ -33,7 +34,16 @@ std::string_view text_of(Measure measure) { return meaning_of(measure).text; }
 
 std::string measured_text(double value, Measure measure) {
     const Meaning& meaning = meaning_of(measure);
-    return number_text(value / meaning.unit) + meaning.unit_name;
+    const double amount = value / meaning.unit;
+    if (measure != Measure::nanoseconds || amount >= 1e6) {
+        return number_text(amount) + meaning.unit_name;
+    }
+    // As exact as a clock is: times that stand beside each other have alike digits.
+    const int decimals = amount < 10 ? 2 : amount < 100 ? 1 : 0;
+    std::array<char, 32> digits;
+    char* const end =
+        std::to_chars(digits.begin(), digits.end(), amount, std::chars_format::fixed, decimals).ptr;
+    return std::string(digits.data(), end) + meaning.unit_name;
 }
 
 MapRange map_range(const std::vector<double>& values, Measure measure) {

@@ -141,6 +141,26 @@ def script(folder, *lines):
     return file
 
 
+def check_scripts_that_stop(folder):
+    """Each says the line, what was found, and what would do; what a hand would be asked for, too."""
+    scene = OPTIONS.data / "scenes" / "glass-ball.json"
+    for line, word in [("pixel.pick 640,0", "639,479"),
+                       ("ray.select 99999", "99999"),
+                       ("step.to 99999", "step's number from 1 to"),
+                       ("step.to 0", "from 1"),
+                       ("overlay.rays 3", "found '3'"),
+                       ("compare.next", "cannot be done just now"),
+                       ("change.undo", "cannot be done just now"),
+                       ("change.set /settings/max_depth 0", "from 1 to 64"),
+                       ("file.open", "file"),
+                       ("export.tree_json", "file")]:
+        target = folder / "never.png"
+        done = run(scene, "--script", script(folder, "", line), "--screenshot", target)
+        check(line, done.returncode == 2 and "script.txt: line 2" in done.stderr
+              and word in done.stderr, (done.returncode, done.stderr))
+        check(line, not target.exists(), "it has written a file")
+
+
 def check_script(folder):
     """What commands do is to be seen."""
     scene = OPTIONS.data / "scenes" / "glass-ball.json"
@@ -257,6 +277,7 @@ def main():
         check_answers(folder)
         check_screenshot(folder, "glass-ball", "light", "1280x800")
         check_screenshot(folder, "glass-ball", "dark", "1920x1080")
+        check_scripts_that_stop(folder)
         check_script(folder)
         check_selection_after_tab(folder)
         check_pictures_by_script(folder)

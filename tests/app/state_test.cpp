@@ -191,6 +191,22 @@ TEST_CASE("app: lines of a script are commands with arguments") {
     CHECK_THROWS_AS(run_line(state, "ray.select 100000"), InputError);
     CHECK_THROWS_AS(run_line(state, "ray.select one"), InputError);
     CHECK_THROWS_AS(run_line(state, "no.such"), InputError);
+    // Nobody would see that these do nothing.
+    CHECK_THROWS_WITH_AS(run_line(state, "compare.next"),
+                         doctest::Contains("compare.next: cannot be done just now"), InputError);
+    CHECK_THROWS_AS(run_line(state, "change.undo"), InputError);
+    CHECK_THROWS_WITH_AS(run_line(state, "overlay.rays 3"), doctest::Contains("found '3'"),
+                         InputError);
+    CHECK_THROWS_AS(run_line(state, "step.to 99999"), InputError);
+    CHECK_FALSE(state.playback());
+    run_line(state, "step.to " + std::to_string(state.stops()));
+    CHECK(state.playback()->at_end());
+    CHECK_THROWS_AS(run_line(state, "step.to " + std::to_string(state.stops() + 1)), InputError);
+    run_line(state, "step.mode");
+    state.select(1);
+    for (const char* const line : {"file.open", "export.tree_json", "compare.file"}) {
+        CHECK_THROWS_WITH_AS(run_line(state, line), doctest::Contains("a file's name"), InputError);
+    }
     std::optional<lesson::FreeView> from;
     state.observe(
         [&](const Changes& changes) { from = changes.view_from ? changes.view_from : from; });

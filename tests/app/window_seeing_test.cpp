@@ -370,7 +370,8 @@ class WindowSeeingTest : public test::ShownWindow {
              scene_labels(state_, extent, window_->scene_pane().view(), false)) {
             const bool lamp = label.text.startsWith(QStringLiteral("lamp")) ||
                               label.text.startsWith(QStringLiteral("key"));
-            const QString more = label.text.section(QStringLiteral(" and "), 1).section(QLatin1Char(' '), 0, 0);
+            const QString more =
+                label.text.section(QStringLiteral(" and "), 1).section(QLatin1Char(' '), 0, 0);
             named += lamp ? 1 : 0;
             told += lamp ? 1 + more.toInt() : 0;
         }

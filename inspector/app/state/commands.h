@@ -46,7 +46,8 @@ const Command* find_command(std::string_view id);
 void run_command(State& state, std::string_view id, std::string_view argument = {});
 
 /// A line of a script: a command's id and, after a blank, its argument. Empty lines and those that
-/// begin with # do nothing.
+/// begin with # do nothing. Nobody sees a key that does nothing here: besides what run_command
+/// throws, InputError where the command is not possible just now, or takes no argument.
 void run_line(State& state, std::string_view line);
 
 }  // namespace raytree::inspector

@@ -41,6 +41,11 @@ void go_to(State& state, std::string_view argument) {
         throw InputError("", "step.to",
                          "found '" + std::string(argument) + "', must be a step's number from 1");
     }
+    if (const std::size_t last = state.stops(); stop > last) {
+        throw InputError("", "step.to",
+                         "found " + std::string(argument) + ", must be a step's number from 1 to " +
+                             std::to_string(last));
+    }
     state.play(false);
     state.go_to_stop(stop - 1);
 }

@@ -28,8 +28,24 @@ void run_line(State& state, std::string_view line) {
     line = line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
     const std::size_t end = std::min(line.find_first_of(blanks), line.size());
     const std::size_t argument = line.find_first_not_of(blanks, end);
-    run_command(state, line.substr(0, end),
-                argument == std::string_view::npos ? "" : line.substr(argument));
+    const std::string_view id = line.substr(0, end);
+    const std::string_view words =
+        argument == std::string_view::npos ? std::string_view() : line.substr(argument);
+    const Command* const command = find_command(id);
+    if (command && command->argument == Argument::none && !words.empty()) {
+        throw InputError("", std::string(id),
+                         "takes nothing besides; found '" + std::string(words) + "'");
+    }
+    const bool wants_file =
+        command && (command->argument == Argument::file || command->argument == Argument::new_file);
+    if (wants_file && words.empty()) {
+        throw InputError("", std::string(id), "must be followed by a file's name");
+    }
+    if (command && command->possible && !command->possible(state)) {
+        throw InputError("", std::string(id),
+                         "cannot be done just now: " + std::string(command->help));
+    }
+    run_command(state, id, words);
 }
 
 }  // namespace raytree::inspector

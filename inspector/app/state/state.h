@@ -102,6 +102,8 @@ class State {
     void end_stepping();
     /// Selects the ray of which something happens there; starts stepping where that is not begun.
     void go_to_stop(std::size_t stop);
+    /// How many there are; 0 without a tree.
+    std::size_t stops() const;
     void set_step_order(StepOrder order);
     void play(bool playing);
     void set_pace(double stops_a_second);
@@ -200,6 +202,7 @@ class State {
     void take_counterpart(std::size_t ray, const PixelTree* before);
     void say_whose();
     void install(Coming coming);
+    Playback new_playback() const;
     void begin_playback();
     void tell(const Changes& changes);
 

@@ -5,12 +5,20 @@
 /// The state's part in stepping through a tree.
 namespace raytree::inspector {
 
-void State::begin_playback() {
+Playback State::new_playback() const {
     std::vector<std::string> lights;
     for (const Light& light : document_->scene().lights) {
         lights.push_back(light.name);
     }
-    playback_.emplace(tree_, step_order_, lights);
+    return Playback(tree_, step_order_, lights);
+}
+
+std::size_t State::stops() const {
+    return playback_ ? playback_->stops() : tree_ ? new_playback().stops() : 0;
+}
+
+void State::begin_playback() {
+    playback_.emplace(new_playback());
     playing_ = false;
     selected_ = playback_->event().ray;
 }

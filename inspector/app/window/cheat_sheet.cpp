@@ -21,10 +21,13 @@ struct Gesture {
 };
 constexpr Gesture gestures[] = {
     {"Choose a pixel", "click or drag", "In the picture."},
-    {"Zoom", "wheel", "In the picture and in the 3D view."},
-    {"Move", "right drag", "In the picture and in the 3D view; there also Shift and drag."},
+    {"Zoom", "wheel", "In the picture, the 3D view and the diagram."},
+    {"Move", "right drag",
+     "In the picture, the 3D view and the diagram; in the 3D view Shift and drag, too, and in the "
+     "diagram any drag."},
     {"Turn", "drag", "In the 3D view."},
-    {"Select a ray", "click", "In the 3D view and in the outline."},
+    {"Select a ray", "click", "In the 3D view, the outline, the diagram and the other lists."},
+    {"Select a light or an object", "click", "In the 3D view."},
 };
 
 enum ListColumn { title_column, key_column, menu_column, help_column };
