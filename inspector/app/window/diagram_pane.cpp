@@ -20,6 +20,12 @@ constexpr double margin = 14;  // around the diagram
 constexpr double least_scale = 0.02, most_scale = 4;
 constexpr double least_readable = 0.85, most_at_first = 1.25;
 
+/// The next number of two digits: what is less than a share is less than that, too.
+double rounded_up(double share) {
+    const double unit = std::pow(10, std::floor(std::log10(share)) - 1);
+    return std::ceil(share / unit * (1 - 1e-12)) * unit;
+}
+
 }  // namespace
 
 DiagramPane::DiagramPane(State& state, QWidget* parent) : QWidget(parent), state_(state) {
@@ -177,7 +183,7 @@ void DiagramPane::draw_note(QPainter& painter) const {
                              : QStringLiteral(
                                    "folded: branches that are less than %1 of the pixel "
                                    "· K folds more, Shift+K less")
-                                   .arg(qt(number_text(folded_below_)));
+                                   .arg(qt(number_text(rounded_up(folded_below_))));
     const Palette& palette = palette_of(state_.look().theme);
     const QRectF strip(0, room_height(), width(), height() - room_height());
     painter.fillRect(strip, qt(palette.window));
