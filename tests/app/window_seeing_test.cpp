@@ -330,6 +330,21 @@ class WindowSeeingTest : public test::ShownWindow {
         QVERIFY(!selection_is_seen(view_image(), gone));
     }
 
+    void a_very_small_image_shows_the_scene_and_no_legend() {
+        run_command(state_, "view.side");
+        const QImage image = window_->scene_pane().image({64, 64});
+        const Ink ink = palette_of(state_.look().theme).selection;
+        int selected = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor at = image.pixelColor(x, y);
+                selected += std::abs(at.red() - ink.r) < 60 && std::abs(at.green() - ink.g) < 60 &&
+                            std::abs(at.blue() - ink.b) < 60;
+            }
+        }
+        QVERIFY2(selected > 4, qPrintable(QString::number(selected)));
+    }
+
     void lights_that_are_asked_outside_the_view_are_pointed_to() {
         const Extent extent = extent_of(*state_.document());
         run_command(state_, "view.camera");  // the lamp is behind it

@@ -116,7 +116,8 @@ int SceneOverlay::foot(int width) const {
 QRectF SceneOverlay::draw_legend(QPainter& painter) const {
     const Palette& palette = palette_of(state_.look().theme);
     const auto [places, notes, size, line] = layout(QFontMetricsF(painter.font()), width());
-    if (size.isEmpty()) {
+    constexpr double most = 0.6;  // of the height: a very small image shows the scene instead
+    if (size.isEmpty() || size.height() > most * height()) {
         return {};
     }
     const QRectF box(QPointF(pad, height() - pad - size.height()), size);
