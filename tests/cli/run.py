@@ -105,9 +105,12 @@ class Bench:
 def commands(bench):
     for name, command, code, out, err, *written in COMMANDS:
         bench.expect(name, command, code, out, err, *written)
-    started = min(timed(bench) for _ in range(20))
-    bench.check("--version in under 10 ms of processor time", bench.slow or started < 0.010,
-                f"{1000 * started:.1f} ms")
+    # Beside each other: on a machine that is busy, both take longer.
+    starts = [(timed([bench.raytree, "--version"]), timed([sys.executable, "-S", "-c", "pass"]))
+              for _ in range(20)]
+    ours, python = (min(times) for times in zip(*starts))
+    bench.check("--version takes less processor time than Python takes to start",
+                bench.slow or ours < python, f"{1000 * ours:.1f} ms, {1000 * python:.1f} ms")
     with open("/dev/full", "wb") as full:
         done = subprocess.run([bench.raytree, "info", "scene.json"], cwd=bench.folder, stdout=full,
                               stderr=subprocess.PIPE)
@@ -115,10 +118,10 @@ def commands(bench):
                 done.returncode == 2 and b"standard output" in done.stderr, str(done))
 
 
-def timed(bench):
-    """Seconds of processor time, which other work on the machine hardly lengthens."""
+def timed(command):
+    """Seconds of processor time."""
     begin = resource.getrusage(resource.RUSAGE_CHILDREN)
-    bench.run("--version")
+    subprocess.run(command, capture_output=True, check=True)
     end = resource.getrusage(resource.RUSAGE_CHILDREN)
     return end.ru_utime + end.ru_stime - begin.ru_utime - begin.ru_stime
 
