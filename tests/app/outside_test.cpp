@@ -35,6 +35,35 @@ bool is_on_edge(const EdgePlace& place) {
                       near(place.y, low));
 }
 
+TEST_CASE("app: the place of what lies outside continues the line from what is seen") {
+    const View view = some_view();
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> any(-20, 20), near(-1, 1);
+    int continued = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Point3 p(any(random), any(random), any(random));
+        const Point3 from = view.target + Point3(near(random), near(random), near(random));
+        const auto place = edge_place(view, frame, p, from);
+        const auto start = project(view, from);
+        CHECK(place.has_value() == edge_place(view, frame, p).has_value());
+        if (!place || !start || !frame.holds({start->x, start->y, 0, 0})) {
+            continue;
+        }
+        CHECK(is_on_edge(*place));
+        // A point of the line a little beyond `from` is seen on the way to the arrow.
+        const auto next = project(view, from + (p - from) * 1e-6);
+        REQUIRE(next);
+        const double dx = next->x - start->x, dy = next->y - start->y;
+        const double ex = place->x - start->x, ey = place->y - start->y;
+        const double length = std::hypot(dx, dy) * std::hypot(ex, ey);
+        if (std::hypot(dx, dy) > 1e-5) {
+            CHECK(dx * ex + dy * ey == doctest::Approx(length).epsilon(1e-3));
+            ++continued;
+        }
+    }
+    CHECK(continued > 500);
+}
+
 TEST_CASE("app: what lies outside the view has a place on its edge, what lies inside has none") {
     const View view = some_view();
     const ViewAxes axes = axes_of(view);

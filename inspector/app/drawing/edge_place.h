@@ -18,4 +18,9 @@ struct EdgePlace {
 /// viewer lies to the side to which one turns to see it, straight behind: downwards.
 std::optional<EdgePlace> edge_place(const View& view, const WordBox& frame, const Point3& p);
 
+/// The same on the line from `from` on to `p`, so that it continues a ray that is drawn from there;
+/// from the frame's middle where `from` is not seen within the frame.
+std::optional<EdgePlace> edge_place(const View& view, const WordBox& frame, const Point3& p,
+                                    const Point3& from);
+
 }  // namespace raytree::inspector

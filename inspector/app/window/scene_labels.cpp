@@ -141,7 +141,13 @@ void add_lights_away(std::vector<SceneLabel>& labels, const State& state, const 
         if (k + 1 == most_arrows && away.size() > most_arrows) {
             name += QStringLiteral(" and %1 more lights").arg(away.size() - most_arrows);
         }
-        labels.push_back({place_of(lights[away[k]], extent), {}, false, std::nullopt, name});
+        SceneLabel label{place_of(lights[away[k]], extent), {}, false, std::nullopt, name};
+        if (const TreeRay<double>* const ray = selected_and_found(state)) {
+            label.seen_from = ray->shadow ? ray->origin
+                              : ray->hit  ? std::optional(ray->hit->point)
+                                          : std::nullopt;
+        }
+        labels.push_back(std::move(label));
     }
 }
 
@@ -212,20 +218,21 @@ std::vector<SceneLabel> scene_labels(const State& state, const Extent& extent, c
     if (ray && ray->hit) {
         if (object_named(scene, ray->hit->object) != state.thing()) {
             labels.push_back(
-                {ray->hit->point, qt(ray->hit->object), true, std::nullopt, away, true});
+                {ray->hit->point, qt(ray->hit->object), true, std::nullopt, away, {}, true});
         }
         if (state.look().angles) {
-            labels.push_back({normal_tip(*ray->hit, extent, view),
-                              QStringLiteral("n"),
-                              false,
-                              std::nullopt,
-                              {},
-                              false,
-                              ray->hit->point});
+            labels.push_back({.at = normal_tip(*ray->hit, extent, view),
+                              .text = QStringLiteral("n"),
+                              .stem = ray->hit->point});
         }
     } else if (ray && ray->shadow && ray->shadow->blocked_by) {
         labels.push_back({along(ray->origin, ray->shadow->blocked_by->t, ray->direction),
-                          qt(ray->shadow->blocked_by->object), true, std::nullopt, away, true});
+                          qt(ray->shadow->blocked_by->object),
+                          true,
+                          std::nullopt,
+                          away,
+                          {},
+                          true});
     } else if (ray) {
         labels.push_back({ray->origin, QString(), true, std::nullopt, away});
     }

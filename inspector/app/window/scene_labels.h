@@ -19,7 +19,8 @@ struct SceneLabel {
     QString text;
     bool strong = false;
     std::optional<Point3> out = std::nullopt;  ///< towards which it may be moved
-    QString away = {};    ///< what is written at the edge where it is outside; empty: nothing
+    QString away = {};  ///< what is written at the edge where it is outside; empty: nothing
+    std::optional<Point3> seen_from = std::nullopt;  ///< from which a line leads to it there
     bool ringed = false;  ///< the place itself matters: it is shown where something hides it
     std::optional<Point3> stem = std::nullopt;  ///< likewise, with a line from here
     bool hidden = false;                        ///< behind a solid shape

@@ -78,7 +78,8 @@ void SceneOverlay::draw_away(QPainter& painter, const SceneLabel& label,
     const double size = label.strong ? 8 : 5.5;
     const double foot = taken.front().height > 0 ? height() - taken.front().y : 0;
     const WordBox frame{edge, edge, width() - 2 * edge, height() - foot - 2 * edge};
-    const auto place = edge_place(view_, frame, label.at);
+    const auto place = label.seen_from ? edge_place(view_, frame, label.at, *label.seen_from)
+                                       : edge_place(view_, frame, label.at);
     if (!place) {
         return;
     }
