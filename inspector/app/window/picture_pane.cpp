@@ -93,11 +93,13 @@ void PicturePane::fit() {
     draw_again();
 }
 
-/// The picture does not get lost outside the pane.
+/// The picture does not get lost outside the pane; beyond its edge there is room for a frame.
 void PicturePane::keep_in_place() {
     const QSizeF size = picture_size() * scale_;
     const auto kept = [](double at, double length, double room) {
-        return length <= room ? (room - length) / 2 : std::clamp(at, room - length, 0.0);
+        const double least = room - margin - length;
+        return least >= margin ? (room - length) / 2
+                               : std::clamp(at, least, static_cast<double>(margin));
     };
     origin_ = {kept(origin_.x(), size.width(), width()),
                kept(origin_.y(), size.height(), height())};
@@ -217,7 +219,8 @@ void PicturePane::draw_values(QPainter& painter) const {
             bool bright = false;
             const QString value = value_in({i, j}, &bright);
             painter.setPen(bright ? QColor(0, 0, 0, 210) : QColor(255, 255, 255, 220));
-            painter.drawText(rect_of({i, j}), Qt::AlignCenter | Qt::TextWordWrap, value);
+            painter.drawText(rect_of({i, j}).adjusted(4, 2, -4, -2),
+                             Qt::AlignCenter | Qt::TextWordWrap, value);
         }
     }
 }
