@@ -98,7 +98,7 @@ ChangePane::ChangePane(State& state, std::function<void(const std::string& comma
     owners_->setAccessibleName(QStringLiteral("What is changed"));
     owners_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     owners_->setMinimumContentsLength(12);
-    follows_ = new QCheckBox(QStringLiteral("Selecting a ray shows what it meets"));
+    follows_ = new QCheckBox(QStringLiteral("Follow rays as they are selected"));
     follows_->setToolTip(
         QStringLiteral("Goes to the material that the ray hits, or to the light that it asks"));
     follows_->setChecked(true);

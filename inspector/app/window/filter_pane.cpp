@@ -57,9 +57,8 @@ FilterPane::FilterPane(State& state, QWidget* parent) : QWidget(parent), state_(
         list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
         connect(list, &QTreeWidget::itemChanged, this, &FilterPane::take_click);
         layout->addWidget(list, 0, k);
-        layout->setColumnStretch(k, k == 3 ? 7 : 3);
-        const char* const longest = k == 0 ? "reflected   rays" : "Light   rays";
-        list->setMinimumWidth(fontMetrics().horizontalAdvance(QLatin1String(longest)) + 50);
+        constexpr int stretches[] = {3, 2, 3, 8};
+        layout->setColumnStretch(k, stretches[k]);
         lists_.push_back(list);
     }
     layout->addWidget(make_weights(), 1, 0, 1, 4);
@@ -102,13 +101,26 @@ QWidget* FilterPane::make_weights() {
     key->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     key->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     key->set_texts({QStringLiteral("ticked: shown   half ticked: dimmed   not ticked: hidden"),
-                    QStringLiteral("half ticked: dimmed"), QStringLiteral("half: dimmed")});
+                    QStringLiteral("half ticked: dimmed"), QString()});
     row->addWidget(new QLabel(QStringLiteral("Rays of")));
     row->addWidget(weight_);
     row->addWidget(lighter_);
     row->addWidget(key, 1);
     row->addWidget(all_);
     return box;
+}
+
+/// Where there is little room, names have it rather than counts.
+void FilterPane::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    constexpr int columns_of_letters = 90;
+    const bool narrow = width() < columns_of_letters * fontMetrics().averageCharWidth();
+    const QString counts = narrow ? QString() : QStringLiteral("   rays");
+    for (std::size_t k = 0; k < lists_.size(); ++k) {
+        const QString longest = k == 0 ? QStringLiteral("reflected") : QStringLiteral("Light");
+        lists_[k]->setColumnHidden(1, narrow);
+        lists_[k]->setMinimumWidth(fontMetrics().horizontalAdvance(longest + counts) + 50);
+    }
 }
 
 void FilterPane::showEvent(QShowEvent* event) {

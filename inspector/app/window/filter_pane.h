@@ -25,6 +25,7 @@ class FilterPane : public QWidget {
     QTreeWidgetItem* item_of(const RayGroup& group) const;
 
   protected:
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
   private:
