@@ -1,6 +1,8 @@
 #include "window/files.h"
 
 #include <QAbstractButton>
+#include <QCryptographicHash>
+#include <QFile>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
@@ -161,6 +163,7 @@ void Files::obey(const Changes& changes) {
     if (changes.document || (changes.values && !state_.edits().unsaved())) {
         watch();
         read_ = shown_ = stamp();
+        digest_ = digest();
     }
     if (changes.document && remembers_) {
         std::error_code error;
@@ -195,6 +198,14 @@ std::filesystem::path Files::file() const { return state_.opened_file(); }
 Files::Stamp Files::stamp() const {
     const QFileInfo info(qt(file().string()));
     return info.exists() ? Stamp{info.lastModified(), info.size()} : Stamp{};
+}
+
+QByteArray Files::digest() const {
+    constexpr qint64 most = 4'000'000;  // bytes that are read in a glance
+    QFile bytes(qt(file().string()));
+    return bytes.size() <= most && bytes.open(QIODevice::ReadOnly)
+               ? QCryptographicHash::hash(bytes.readAll(), QCryptographicHash::Sha1)
+               : QByteArray();
 }
 
 bool Files::has_changed_on_disk() const {
@@ -241,6 +252,13 @@ void Files::look_at_disk() {
         return;
     }
     missed_ = 0;
+    if (!digest_.isEmpty() && digest() == digest_) {
+        if (!(read_ == shown_)) {  // what has been said holds no more
+            state_.say(name + " is on disk again as it is shown.");
+        }
+        read_ = shown_ = now;  // written again as it was
+        return;
+    }
     read_ = now;
     if (state_.edits().unsaved()) {
         state_.say(name + " has changed on disk; F5 reads it again, without your changes.");

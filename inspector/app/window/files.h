@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -59,6 +60,7 @@ class Files : public QObject {
     std::optional<Path> scene_of_tree() const;
     static RecentFiles kept();
     Stamp stamp() const;
+    QByteArray digest() const;
     bool has_changed_on_disk() const;
 
     State& state_;
@@ -70,10 +72,11 @@ class Files : public QObject {
     RecentFiles recent_;
     bool remembers_ = false;
     QFileSystemWatcher watcher_;
-    QTimer settled_;  ///< runs out when nothing has happened on disk for a while
-    Stamp read_;      ///< of the file as it was read, or told to have changed
-    Stamp shown_;     ///< as what is shown was read or saved
-    int missed_ = 0;  ///< how often it was not there, one time after the other
+    QTimer settled_;     ///< runs out when nothing has happened on disk for a while
+    Stamp read_;         ///< of the file as it was read, or told to have changed
+    Stamp shown_;        ///< as what is shown was read or saved
+    QByteArray digest_;  ///< of the file's bytes then; empty where they are too many
+    int missed_ = 0;     ///< how often it was not there, one time after the other
 };
 
 }  // namespace raytree::inspector
