@@ -10,6 +10,7 @@
 #include "formats/tree_json.h"
 #include "state/commands.h"
 #include "state/contrast_lines.h"
+#include "state/counts.h"
 #include "state/diagram_looks.h"
 #include "state/marked_texts.h"
 #include "state/recent.h"
@@ -115,6 +116,36 @@ TEST_CASE("app: a ray that is missing in a recorded tree stands where it should 
     test::run_and_wait(state, "compare.swap");
     CHECK(state.tree()->grafted == 0);
     CHECK(state.tree()->mark(gone.id) == RayMark::missing);
+}
+
+TEST_CASE("app: of a recorded tree no count is given that its file does not hold") {
+    Scene scene = test::glass_ball_scene();
+    scene.settings.max_depth = 2;
+    RayTree<double> theirs = true_tree(scene);
+    theirs.rays.pop_back();
+    theirs.counts.intersection_tests = 0;
+    std::size_t skipped = 0;
+    for (const TreeRay<double>& ray : theirs.rays) {
+        skipped += ray.skipped.size();
+    }
+    const TreeFile file(theirs, &scene);
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    REQUIRE(state.tree()->grafted == 1);
+    const TreeStatistics all = statistics_of(*state.document(), *state.tree());
+    CHECK(all.to_depth.branches > 0);
+    CHECK_FALSE(all.to_depth.weight);  // a file does not hold kr and kt
+    CHECK_FALSE(all.tests);
+    std::size_t told = 0;  // its own, and not those of the ray that it lacks
+    for (const TreeStatistics::NotSent& row : all.not_sent) {
+        told += row.count;
+    }
+    CHECK(told == skipped);
+    test::run_and_wait(state, "compare.swap");
+    const TreeStatistics ours = statistics_of(*state.document(), *state.tree());
+    CHECK(ours.to_depth.weight);
+    CHECK(ours.tests.value_or(0) > 0);
 }
 
 TEST_CASE("app: a folded branch counts the rays that are missing in it, and says so") {
@@ -254,6 +285,7 @@ TEST_CASE("app: a tree of bare numbers is shown with what it gives and no more")
     const auto intensity = std::ranges::find(section.rows, "intensity", &DetailRow::label);
     REQUIRE(intensity != section.rows.end());
     CHECK(intensity->values == std::vector{0.5, 0.5, 0.5});  // in columns, to be copied
+    CHECK_FALSE(statistics_of(*state.document(), *state.tree()).tells_skipped);
     // The largest tree is that of the scene where the file does not say.
     const double levels = scene.settings.max_depth, lights = double(scene.lights.size());
     CHECK(state.tree()->tree.counts.full_tree == (lights + 1) * (std::pow(2, levels) - 1));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace raytree::inspector {
 namespace {
@@ -18,12 +19,14 @@ std::array<Statistics::Kind, 4> kinds_of(const RayTree<double>& tree) {
              {RayKind::shadow, n.shadow, static_cast<double>(n.lights) * hits}}};
 }
 
-std::vector<Statistics::NotSent> not_sent_of(const RayTree<double>& tree) {
+using OwnRays = std::span<const TreeRay<double>>;
+
+std::vector<Statistics::NotSent> not_sent_of(OwnRays rays) {
     std::vector<Statistics::NotSent> rows;
     for (const ReasonText& text : reason_texts()) {
         rows.push_back({text.reason, 0});
     }
-    for (const TreeRay<double>& ray : tree.rays) {
+    for (const TreeRay<double>& ray : rays) {
         for (const Skipped& skipped : ray.skipped) {
             ++rows[static_cast<std::size_t>(skipped.reason)].count;
         }
@@ -33,15 +36,15 @@ std::vector<Statistics::NotSent> not_sent_of(const RayTree<double>& tree) {
     return rows;
 }
 
-Statistics::Lost lost_to(const RayTree<double>& tree, Reason limit) {
-    Statistics::Lost lost;
-    for (const TreeRay<double>& ray : tree.rays) {
+Statistics::Lost lost_to(OwnRays rays, Reason limit) {
+    Statistics::Lost lost{0, Rgb<double>(0)};
+    for (const TreeRay<double>& ray : rays) {
         for (const Skipped& skipped : ray.skipped) {
             if (skipped.reason == limit && ray.hit) {
                 const Rgb<double>& k =
                     skipped.kind == RayKind::reflected ? ray.hit->kr : ray.hit->kt;
                 ++lost.branches;
-                lost.weight = lost.weight + ray.attenuation * (k * ray.weight);
+                lost.weight = *lost.weight + ray.attenuation * (k * ray.weight);
             }
         }
     }
@@ -50,15 +53,24 @@ Statistics::Lost lost_to(const RayTree<double>& tree, Reason limit) {
 
 }  // namespace
 
-TreeStatistics statistics_of(const Document& document, const RayTree<double>& tree) {
+TreeStatistics statistics_of(const Document& document, const PixelTree& shown) {
+    const RayTree<double>& tree = shown.tree;
+    const OwnRays rays(tree.rays.data(), shown.own());
     TreeStatistics all;
     all.kinds = kinds_of(tree);
-    all.not_sent = not_sent_of(tree);
-    all.to_depth = lost_to(tree, Reason::max_depth);
-    all.to_weight = lost_to(tree, Reason::low_intensity);
+    all.not_sent = not_sent_of(rays);
+    all.to_depth = lost_to(rays, Reason::max_depth);
+    all.to_weight = lost_to(rays, Reason::low_intensity);
     all.tests = tree.counts.intersection_tests;
     all.shapes = document.world().shapes.shapes().size();
     all.all_tests = static_cast<double>(tree.counts.all()) * static_cast<double>(all.shapes);
+    if (shown.recorded) {
+        all.to_depth.weight = all.to_weight.weight = std::nullopt;
+        all.tells_skipped = !all.not_sent.empty();
+        if (all.tests == 0) {
+            all.tests.reset();
+        }
+    }
     return all;
 }
 

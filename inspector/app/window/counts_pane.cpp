@@ -110,7 +110,8 @@ void write_rays(Writer& writer, const Statistics& all, const RayTree<double>& tr
 void write_not_sent(Writer& writer, const Statistics& all) {
     writer.heading("Rays that were not sent", true);
     if (all.not_sent.empty()) {
-        writer.sentence(QStringLiteral("None."));
+        writer.sentence(all.tells_skipped ? QStringLiteral("None.")
+                                          : QStringLiteral("The file does not name them."));
         return;
     }
     writer.begin_rows();
@@ -127,17 +128,21 @@ void write_lost(Writer& writer, const char* limit, const Statistics::Lost& lost)
         writer.sentence(QStringLiteral("The %1 cut off nothing.").arg(name));
         return;
     }
-    writer.sentence(
-        QStringLiteral("The %1 cut off %2 %3 that together weigh %4 of the pixel.")
-            .arg(name, number(lost.branches),
-                 lost.branches == 1 ? QStringLiteral("branch") : QStringLiteral("branches"),
-                 qt(triple_text(lost.weight))));
+    const QString branches =
+        number(lost.branches) +
+        (lost.branches == 1 ? QStringLiteral(" branch") : QStringLiteral(" branches"));
+    writer.sentence(lost.weight
+                        ? QStringLiteral("The %1 cut off %2 that together weigh %3 of the pixel.")
+                              .arg(name, branches, qt(triple_text(*lost.weight)))
+                        : QStringLiteral("The %1 cut off %2; the file does not say of what weight.")
+                              .arg(name, branches));
 }
 
 void write_tests(Writer& writer, const Statistics& all) {
     writer.heading("Intersection tests");
     writer.begin_rows();
-    writer.row(QStringLiteral("with hierarchy"), {number(all.tests)});
+    writer.row(QStringLiteral("with hierarchy"),
+               {all.tests ? number(*all.tests) : QStringLiteral("not in the file")});
     writer.row(QStringLiteral("rays × %1 %2")
                    .arg(number(all.shapes),
                         all.shapes == 1 ? QStringLiteral("shape") : QStringLiteral("shapes")),
@@ -177,7 +182,7 @@ void CountsPane::show_counts() {
         return;
     }
     const RayTree<double>& tree = state_.tree()->tree;
-    const TreeStatistics all = statistics_of(*state_.document(), tree);
+    const TreeStatistics all = statistics_of(*state_.document(), *state_.tree());
     Writer writer(palette_of(state_.look().theme));
     // Three columns where lines in them are long enough to be read, else two.
     const bool wide = width() > fontMetrics().averageCharWidth() * 98;
@@ -191,8 +196,12 @@ void CountsPane::show_counts() {
     }
     writer.begin_column(wide ? 32 : 55);
     writer.heading("Light lost to the limits", true);
-    write_lost(writer, "depth limit", all.to_depth);
-    write_lost(writer, "weight limit", all.to_weight);
+    if (all.tells_skipped) {
+        write_lost(writer, "depth limit", all.to_depth);
+        write_lost(writer, "weight limit", all.to_weight);
+    } else {
+        writer.sentence(QStringLiteral("The file does not say what they cut off."));
+    }
     write_tests(writer, all);
     writer.end_column();
     if (!wide) {
