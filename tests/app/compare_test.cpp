@@ -14,6 +14,7 @@
 #include "state/diagram_looks.h"
 #include "state/marked_texts.h"
 #include "state/recent.h"
+#include "state/table.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 
@@ -116,6 +117,45 @@ TEST_CASE("app: a ray that is missing in a recorded tree stands where it should 
     test::run_and_wait(state, "compare.swap");
     CHECK(state.tree()->grafted == 0);
     CHECK(state.tree()->mark(gone.id) == RayMark::missing);
+}
+
+TEST_CASE("app: what a file does not say is not known as zero, while stepping neither") {
+    const Scene scene = test::glass_ball_scene();
+    auto json = nlohmann::json::parse(write_tree_json(true_tree(scene), nullptr));
+    for (auto& ray : json["rays"]) {
+        for (const char* const field : {"ambient", "diffuse", "specular", "weight"}) {
+            ray.erase(field);
+        }
+    }
+    json["rays"][0].erase("intensity");
+    json.erase("intensity");
+    const TreeFile file(json.dump());
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    const PixelTree& tree = *state.tree();
+    REQUIRE(tree.recorded);
+    std::size_t shadow = 0;
+    for (const TreeRay<double>& ray : tree.tree.rays) {
+        const OutlineRow row{ray.id, std::nullopt, 0, 0};
+        const bool given = !ray.shadow && ray.id != 0;
+        CHECK(text_of(tree, ray.id, Column::weight).empty());
+        CHECK((text_of(tree, ray.id, Column::intensity) == "not given") == !given);
+        CHECK(swatch_of(tree, row).has_value() == given);
+        shadow = ray.shadow ? ray.id : shadow;
+    }
+    REQUIRE(shadow > 0);
+    const auto looks = box_looks(diagram_of(tree.tree), tree, std::nullopt);
+    CHECK_FALSE(looks.front().given);
+    run_command(state, "step.mode");
+    while (state.playback()->event().kind != TreeEvent::Kind::evaluated ||
+           !tree.tree.rays[state.playback()->event().ray].shadow) {
+        run_command(state, "step.forward");
+    }
+    CHECK(event_text(*state.playback()).find("the file does not say what") != std::string::npos);
+    for (const CallText& call : call_texts(*state.playback())) {
+        CHECK(call.sum.empty());
+    }
 }
 
 TEST_CASE("app: of a recorded tree no count is given that its file does not hold") {
@@ -285,6 +325,11 @@ TEST_CASE("app: a tree of bare numbers is shown with what it gives and no more")
     const auto intensity = std::ranges::find(section.rows, "intensity", &DetailRow::label);
     REQUIRE(intensity != section.rows.end());
     CHECK(intensity->values == std::vector{0.5, 0.5, 0.5});  // in columns, to be copied
+    // Nothing is made up in the table, either, nor copied.
+    CHECK(text_of(*state.tree(), 0, Column::weight).empty());
+    CHECK(text_of(*state.tree(), 0, Column::direction).empty());
+    CHECK(exact_text_of(*state.tree(), 0, Column::attenuation).empty());
+    CHECK(text_of(*state.tree(), 0, Column::intensity).starts_with("0.500"));
     CHECK_FALSE(statistics_of(*state.document(), *state.tree()).tells_skipped);
     // The largest tree is that of the scene where the file does not say.
     const double levels = scene.settings.max_depth, lights = double(scene.lights.size());

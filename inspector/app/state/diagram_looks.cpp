@@ -70,6 +70,7 @@ std::vector<BoxLook> box_looks(const Diagram& diagram, const PixelTree& tree,
             look.inside =
                 box.folded > 0 && tree.contrast ? mark_inside(tree, box.ray->id) : RayMark::none;
             look.graft = !tree.is_own(box.ray->id);
+            look.given = tree.gives_intensity(box.ray->id);
         }
         for (const LightRow& light : box.lights) {
             look.hidden_lights.push_back(

@@ -13,6 +13,7 @@ struct BoxLook {
     bool hidden = false;   ///< has not happened yet
     bool met = true;       ///< it is known what its ray meets
     bool pending = false;  ///< its ray's intensity is not known yet
+    bool given = true;     ///< its ray's intensity is in the tree, which was recorded elsewhere
     bool graft = false;    ///< of the tree that is compared with
     RayMark mark = RayMark::none;
     RayMark inside = RayMark::none;  ///< of a folded branch: what says most of its rays

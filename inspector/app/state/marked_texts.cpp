@@ -45,12 +45,11 @@ void veil(DetailSection& section, Stage stage) {
 
 /// Takes out what a file does not give.
 void blank(OutlineTexts& texts, const PixelTree& tree, std::size_t ray) {
-    const auto gives = [&](Field field) { return tree.recorded->gives(ray, field); };
-    const bool shadow = tree.tree.rays[ray].shadow.has_value();
-    if (shadow ? !gives(Field::diffuse) && !gives(Field::specular) : !gives(Field::intensity)) {
+    if (!tree.gives_intensity(ray)) {
         texts.intensity = "not given";
     }
-    if (!shadow && !gives(Field::hit) && !gives(Field::object)) {
+    if (!tree.tree.rays[ray].shadow && !tree.gives(ray, Field::hit) &&
+        !tree.gives(ray, Field::object)) {
         texts.met = "not given";
     }
 }
@@ -73,9 +72,7 @@ OutlineTexts marked_texts_of(const PixelTree& tree, const OutlineRow& row,
     if (row.skipped) {
         return texts;
     }
-    if (tree.recorded && tree.is_own(row.ray)) {
-        blank(texts, tree, row.ray);
-    }
+    blank(texts, tree, row.ray);
     veil(texts, stage_of(playback, row.ray));
     if (in_doubt(tree, row.ray)) {
         texts.ray += "   ≈ in doubt";

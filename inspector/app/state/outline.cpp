@@ -122,7 +122,7 @@ OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row) {
 }
 
 std::optional<Rgb<double>> swatch_of(const PixelTree& tree, const OutlineRow& row) {
-    if (row.skipped) {
+    if (row.skipped || !tree.gives_intensity(row.ray)) {
         return std::nullopt;
     }
     const TreeRay<double>& ray = tree.tree.rays[row.ray];

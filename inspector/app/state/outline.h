@@ -60,7 +60,8 @@ struct OutlineTexts {
 };
 OutlineTexts texts_of(const PixelTree& tree, const OutlineRow& row);
 
-/// The colour of a ray's intensity, or of what a shadow ray adds; none for a ghost.
+/// The colour of a ray's intensity, or of what a shadow ray adds; none for a ghost, and where it is
+/// not given.
 std::optional<Rgb<double>> swatch_of(const PixelTree& tree, const OutlineRow& row);
 
 }  // namespace raytree::inspector

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "check/submission.h"
+
 namespace raytree::inspector {
 
 const MarkText& text_of(RayMark mark) {
@@ -21,6 +23,15 @@ RayTree<double> own_tree(const PixelTree& tree) {
     RayTree<double> own = tree.tree;
     own.rays.resize(tree.own());
     return own;
+}
+
+bool PixelTree::gives(std::size_t ray, Field field) const {
+    return !recorded || !is_own(ray) || recorded->gives(ray, field);
+}
+
+bool PixelTree::gives_intensity(std::size_t ray) const {
+    return tree.rays[ray].shadow ? gives(ray, Field::diffuse) || gives(ray, Field::specular)
+                                 : gives(ray, Field::intensity);
 }
 
 std::string number_of(const PixelTree& tree, std::size_t ray) {

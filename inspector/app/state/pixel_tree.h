@@ -9,6 +9,7 @@
 
 #include "check/submission.h"
 #include "tree/error_bounds.h"
+#include "tree/given.h"
 #include "tree/ray_tree.h"
 
 namespace raytree::inspector {
@@ -73,6 +74,10 @@ struct PixelTree {
 
     std::size_t own() const { return tree.rays.size() - grafted; }
     bool is_own(std::size_t ray) const { return ray < own(); }
+    /// Whether a number of a ray is known: a tree that was recorded elsewhere may lack it.
+    bool gives(std::size_t ray, Field field) const;
+    /// Of what comes back along it; of a shadow ray, what it adds.
+    bool gives_intensity(std::size_t ray) const;
     RayMark mark(std::size_t ray) const { return contrast ? contrast->marks[ray] : RayMark::none; }
 };
 

@@ -28,7 +28,11 @@ std::string skipped_sentence(const RayTree<double>& tree, const TreeRay<double>&
            skipped_text(tree, ray, skipped) + ".";
 }
 
-std::string returned_text(const RayTree<double>& tree, const TreeRay<double>& ray) {
+std::string returned_text(const Playback& playback, const TreeRay<double>& ray) {
+    const RayTree<double>& tree = playback.tree();
+    if (!playback.gives_intensity(ray.id)) {
+        return title_of(ray) + " returns; the file does not say what.";
+    }
     if (ray.shadow) {
         const Rgb<double>& sum = tree.rays[ray.parent.value_or(ray.id)].intensity;
         return title_of(ray) + " adds diffuse + specular = " +
@@ -77,9 +81,15 @@ std::string waiting_for(const Playback& playback, const OpenCall& call) {
 
 Playback::Playback(const std::shared_ptr<const PixelTree>& tree, StepOrder order,
                    const std::vector<std::string>& lights)
-    : tree_(tree->grafted == 0 ? std::shared_ptr<const RayTree<double>>(tree, &tree->tree)
+    : shown_(tree),
+      tree_(tree->grafted == 0 ? std::shared_ptr<const RayTree<double>>(tree, &tree->tree)
                                : std::make_shared<const RayTree<double>>(own_tree(*tree))),
       schedule_(std::make_shared<const Schedule>(*tree_, order, lights)) {}
+
+bool Playback::gives_summands(std::size_t ray) const {
+    return shown_->gives(ray, Field::ambient) && shown_->gives(ray, Field::diffuse) &&
+           shown_->gives(ray, Field::specular);
+}
 
 void Playback::go_to(std::size_t stop) { stop_ = std::min(stop, stops() - 1); }
 
@@ -98,7 +108,7 @@ std::string event_text(const Playback& playback) {
         case TreeEvent::Kind::skipped:
             return skipped_sentence(playback.tree(), ray, ray.skipped[event.skip]);
         default:
-            return returned_text(playback.tree(), ray);
+            return returned_text(playback, ray);
     }
 }
 
@@ -128,7 +138,8 @@ std::vector<CallText> call_texts(const Playback& playback, std::size_t most) {
             break;
         }
         const TreeRay<double>& ray = playback.tree().rays[call.ray];
-        const bool has_sum = ray.hit && playback.stage(call.ray) == Stage::found;
+        const bool has_sum = ray.hit && playback.stage(call.ray) == Stage::found &&
+                             playback.gives_summands(call.ray);
         texts.push_back({call.ray, short_title(ray), waiting_for(playback, call),
                          has_sum ? rgb_text(call.sum) : ""});
     }

@@ -34,11 +34,16 @@ class Playback {
     }
     /// The last event.
     const TreeEvent& event() const { return schedule_->events()[happened() - 1]; }
+    /// Whether what a ray returns is known, and the summands at its hit: a tree that was recorded
+    /// elsewhere may lack them.
+    bool gives_intensity(std::size_t ray) const { return shown_->gives_intensity(ray); }
+    bool gives_summands(std::size_t ray) const;
     std::vector<OpenCall> calls() const { return open_calls(*tree_, *schedule_, happened()); }
 
   private:
     std::size_t happened() const { return schedule_->stops()[stop_]; }
 
+    std::shared_ptr<const PixelTree> shown_;
     std::shared_ptr<const RayTree<double>> tree_;
     std::shared_ptr<const Schedule> schedule_;
     std::size_t stop_ = 0;

@@ -77,7 +77,44 @@ Cell hit_cell(const TreeHit<double>& hit, Column column) {
     }
 }
 
+/// Whether a column's value is known: of a tree that was recorded elsewhere some may be missing.
+bool is_given(const PixelTree& tree, const Node& ray, Column column) {
+    const auto gives = [&](Field field) { return tree.gives(ray.id, field); };
+    switch (column) {
+        case Column::t:
+            return ray.shadow ? gives(Field::distance) || gives(Field::blocked_by)
+                              : gives(Field::t);
+        case Column::intensity:
+            return tree.gives_intensity(ray.id);
+        case Column::met:
+            return ray.shadow || gives(Field::hit) || gives(Field::object);
+        case Column::weight:
+            return gives(Field::weight);
+        case Column::angle:
+            return gives(Field::cos_incident);
+        case Column::eta:
+            return gives(Field::eta);
+        case Column::side:
+            return gives(Field::side);
+        case Column::attenuation:
+            return gives(Field::attenuation);
+        case Column::origin:
+            return gives(Field::origin);
+        case Column::direction:
+            return gives(Field::direction);
+        case Column::point:
+            return gives(Field::point);
+        case Column::normal:
+            return gives(Field::normal);
+        default:
+            return true;
+    }
+}
+
 Cell cell_of(const PixelTree& tree, const Node& ray, Column column) {
+    if (!is_given(tree, ray, column)) {
+        return {};
+    }
     OutlineRow row;
     row.ray = ray.id;
     switch (column) {
@@ -210,6 +247,9 @@ std::vector<std::size_t> sorted_rays(const PixelTree& tree, Column by, bool desc
 
 std::string text_of(const PixelTree& tree, std::size_t id, Column column) {
     const Node& ray = tree.tree.rays[id];
+    if (!is_given(tree, ray, column)) {
+        return column == Column::intensity ? "not given" : "";
+    }
     if (column == Column::intensity) {
         return rgb_text(ray.shadow ? ray.diffuse + ray.specular : ray.intensity);
     }

@@ -205,14 +205,19 @@ void DiagramDrawing::draw_ray(const Box& box, const QRectF& frame) {
         write(line, QStringLiteral("pending"), {palette_.dim_text, false, true});
         return;
     }
-    const auto [r, g, b] = eight_bit(box.ray->intensity, quantize_).value;
-    painter_.setPen(QPen(qt(palette_.dim_text), 0.75));
-    painter_.setBrush(QColor(r, g, b));
-    painter_.drawRect(QRectF(left, line.bottom() + 1, Sizes::swatch,
-                             Sizes::line * static_cast<double>(box.lines.size()) - 2));
-    for (const std::string& text : box.lines) {
+    if (look(box).given) {
+        const auto [r, g, b] = eight_bit(box.ray->intensity, quantize_).value;
+        painter_.setPen(QPen(qt(palette_.dim_text), 0.75));
+        painter_.setBrush(QColor(r, g, b));
+        painter_.drawRect(QRectF(left, line.bottom() + 1, Sizes::swatch,
+                                 Sizes::line * static_cast<double>(box.lines.size()) - 2));
+        for (const std::string& text : box.lines) {
+            line.translate(0, Sizes::line);
+            write(line.adjusted(Sizes::swatch + 6, 0, 0, 0), qt(text), {palette_.text});
+        }
+    } else {
         line.translate(0, Sizes::line);
-        write(line.adjusted(Sizes::swatch + 6, 0, 0, 0), qt(text), {palette_.text});
+        write(line, QStringLiteral("not given"), {palette_.dim_text, false, true});
     }
     for (const std::string& note : box.notes) {
         line.translate(0, Sizes::line);

@@ -98,8 +98,9 @@ bool OutlineModel::is_known(std::size_t ray) const {
 }
 
 QVariant OutlineModel::text(const OutlineRow& row, Column column) const {
-    if (brief_ && column == Column::intensity && !row.skipped && is_known(row.ray)) {
-        return qt(brief_rgb_text(*swatch_of(*tree_, row)));
+    const auto colour = swatch_of(*tree_, row);
+    if (brief_ && column == Column::intensity && colour && is_known(row.ray)) {
+        return qt(brief_rgb_text(*colour));
     }
     if (!row.skipped && is_known(row.ray) && column != Column::ray && column != Column::met) {
         return qt(text_of(*tree_, row.ray, column));
