@@ -46,8 +46,9 @@ const Command* find_command(std::string_view id);
 void run_command(State& state, std::string_view id, std::string_view argument = {});
 
 /// A line of a script: a command's id and, after a blank, its argument. Empty lines and those that
-/// begin with # do nothing. Nobody sees a key that does nothing here: besides what run_command
-/// throws, InputError where the command is not possible just now, or takes no argument.
-void run_line(State& state, std::string_view line);
+/// begin with # do nothing. False where the command is not possible just now: nobody sees a key
+/// that does nothing here. Throws InputError as run_command does, and for an argument too many or
+/// a file's name too few.
+bool run_line(State& state, std::string_view line);
 
 }  // namespace raytree::inspector

@@ -19,11 +19,11 @@ void run_command(State& state, std::string_view id, std::string_view argument) {
     }
 }
 
-void run_line(State& state, std::string_view line) {
+bool run_line(State& state, std::string_view line) {
     constexpr std::string_view blanks = " \t\r";
     const std::size_t begin = line.find_first_not_of(blanks);
     if (begin == std::string_view::npos || line[begin] == '#') {
-        return;
+        return true;
     }
     line = line.substr(begin, line.find_last_not_of(blanks) + 1 - begin);
     const std::size_t end = std::min(line.find_first_of(blanks), line.size());
@@ -41,11 +41,9 @@ void run_line(State& state, std::string_view line) {
     if (wants_file && words.empty()) {
         throw InputError("", std::string(id), "must be followed by a file's name");
     }
-    if (command && command->possible && !command->possible(state)) {
-        throw InputError("", std::string(id),
-                         "cannot be done just now: " + std::string(command->help));
-    }
+    const bool possible = !command || !command->possible || command->possible(state);
     run_command(state, id, words);
+    return possible;
 }
 
 }  // namespace raytree::inspector

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <utility>
 
 #include "formats/output_file.h"
@@ -55,10 +56,14 @@ void run_script(State& state, MainWindow& window, const WindowOptions& options) 
         if (line.starts_with("export.")) {  // a picture of the window is one of all of it
             wait_until_drawn(state, window);
         }
+        const std::string place = "line " + std::to_string(k + 1);
         try {
-            run_line(state, line);
+            if (!run_line(state, line)) {
+                std::cerr << "raytree-inspector: " << options.script_file << ": " << place << ": "
+                          << line << " cannot be done just then; it was left out\n";
+            }
         } catch (const InputError& error) {
-            throw InputError(options.script_file, "line " + std::to_string(k + 1), error.what());
+            throw InputError(options.script_file, place, error.what());
         }
         wait_for_tree(state);
     }
