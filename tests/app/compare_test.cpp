@@ -13,8 +13,10 @@
 #include "state/counts.h"
 #include "state/diagram_looks.h"
 #include "state/marked_texts.h"
+#include "state/ray_filter.h"
 #include "state/recent.h"
 #include "state/table.h"
+#include "state/thing_details.h"
 #include "tree/explain.h"
 #include "tree/record.h"
 
@@ -156,6 +158,123 @@ TEST_CASE("app: what a file does not say is not known as zero, while stepping ne
     for (const CallText& call : call_texts(*state.playback())) {
         CHECK(call.sum.empty());
     }
+}
+
+TEST_CASE("app: a recorded tree that does not say where its rays are is drawn where they are") {
+    const Scene scene = test::glass_ball_scene();
+    const RayTree<double> truth = true_tree(scene);
+    auto json = nlohmann::json::parse(write_tree_json(truth, nullptr));
+    for (auto& ray : json["rays"]) {
+        for (const char* const field : {"origin", "distance"}) {
+            ray.erase(field);
+        }
+        if (ray.contains("hit") && ray["hit"].is_object()) {
+            ray["hit"].erase("point");
+            ray["hit"].erase("normal");
+        }
+    }
+    const TreeFile file(json.dump());
+    State state;
+    state.show(test::opened(scene));
+    test::run_and_wait(state, "compare.file", file.path.string());
+    const PixelTree& tree = *state.tree();
+    REQUIRE(tree.recorded);
+    REQUIRE(tree.grafted == 0);
+    for (const TreeRay<double>& ray : tree.tree.rays) {
+        const TreeRay<double>& due = truth.rays[ray.id];
+        CHECK(length(ray.origin - due.origin) < 1e-9);
+        if (due.hit) {
+            CHECK(length(ray.hit->point - due.hit->point) < 1e-9);
+        }
+        if (due.shadow) {
+            CHECK(ray.shadow->distance.has_value() == due.shadow->distance.has_value());
+        }
+        CHECK(text_of(tree, ray.id, Column::origin).empty());  // nor is it told as the file's
+    }
+}
+
+TEST_CASE("app: the first difference that is gone to is the first cause") {
+    Scene scene = test::glass_ball_scene();
+    State state;
+    state.show(test::opened(scene));
+    state.pick({40, 30});
+    state.poll(std::chrono::seconds(10));
+    test::run_and_wait(state, "change.set", "/materials/" + scene.materials[0].name + "/kr 0.4");
+    test::run_and_wait(state, "compare.before");
+    const auto& lines = state.tree()->contrast->lines;
+    REQUIRE(lines.size() > 2);
+    CHECK(lines.front().mark == RayMark::different);
+    CHECK(summary_of(*state.tree()->contrast).find("(0 where it begins") == std::string::npos);
+    REQUIRE(state.selected()->id == 0);  // which is itself in the list: it follows
+    REQUIRE(std::ranges::find(lines, std::size_t{0}, &ContrastLine::ray) != lines.begin());
+    std::vector<std::size_t> gone;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        run_command(state, "compare.next");
+        gone.push_back(state.selected()->id);
+    }
+    std::vector<std::size_t> listed;
+    for (const ContrastLine& line : lines) {
+        listed.push_back(line.ray);
+    }
+    CHECK(gone == listed);
+}
+
+TEST_CASE("app: rays of the tree compared with add nothing, and are not counted") {
+    const Scene scene = test::glass_ball_scene();
+    State state;
+    state.show(test::opened(scene));
+    state.pick({40, 30});
+    state.poll(std::chrono::seconds(10));
+    test::run_and_wait(state, "change.set", "/settings/max_depth 1");
+    const PixelTree& tree = *state.tree();
+    REQUIRE(tree.grafted > 0);
+    const auto sections = details_of(tree, 0);
+    const auto intensity = std::ranges::find(sections, "Intensity", &DetailSection::title);
+    REQUIRE(intensity != sections.end());
+    for (const DetailRow& row : intensity->rows) {
+        CHECK(row.label.find("kr") == std::string::npos);
+        CHECK(row.label.find("kt") == std::string::npos);
+    }
+    std::size_t kinds = 0;
+    for (const CountedGroup& group : groups_of(tree, {})) {
+        kinds += group.group.by == RayGroup::By::kind ? group.rays : 0;
+    }
+    CHECK(kinds == tree.own());
+    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+        const auto of_thing = details_of(scene, &tree, {Thing::Kind::object, k});
+        for (const DetailRow& row : of_thing.front().rows) {
+            for (const std::size_t ray : row.rays) {
+                CHECK(tree.is_own(ray));
+            }
+        }
+    }
+}
+
+TEST_CASE("app: a recorded tree that does not say all is not exported as if it did") {
+    const Scene scene = test::glass_ball_scene();
+    auto json = nlohmann::json::parse(write_tree_json(true_tree(scene), nullptr));
+    const fs::path target = test::own_path("raytree-export-test.json");
+    for (const bool whole : {true, false}) {
+        if (!whole) {
+            for (auto& ray : json["rays"]) {
+                ray.erase("origin");
+            }
+        }
+        const TreeFile file(json.dump());
+        State state;
+        state.show(test::opened(scene));
+        test::run_and_wait(state, "compare.file", file.path.string());
+        REQUIRE(state.tree()->recorded);
+        fs::remove(target);
+        if (whole) {
+            run_command(state, "export.tree_json", target.string());
+        } else {
+            CHECK_THROWS_WITH_AS(run_command(state, "export.tree_json", target.string()),
+                                 doctest::Contains("does not say all"), InputError);
+        }
+        CHECK(fs::exists(target) == whole);
+    }
+    fs::remove(target);
 }
 
 TEST_CASE("app: of a recorded tree no count is given that its file does not hold") {

@@ -191,6 +191,12 @@ TEST_CASE("app: lines of a script are commands with arguments") {
     CHECK_THROWS_AS(run_line(state, "ray.select 100000"), InputError);
     CHECK_THROWS_AS(run_line(state, "ray.select one"), InputError);
     CHECK_THROWS_AS(run_line(state, "no.such"), InputError);
+    // What may be said besides is taken.
+    run_line(state, "explain.shower sun");
+    CHECK(state.explained().shower);
+    run_line(state, "explain.nothing");
+    CHECK_THROWS_WITH_AS(run_line(state, "lesson.open no such lesson"),
+                         doctest::Contains("no such lesson"), InputError);
     // Nobody would see that these do nothing.
     CHECK_FALSE(run_line(state, "compare.next"));
     CHECK_FALSE(run_line(state, "change.undo"));

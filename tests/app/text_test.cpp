@@ -4,6 +4,7 @@
 
 #include "app/scenes.h"
 #include "state/details.h"
+#include "state/lighting_details.h"
 #include "state/numbers.h"
 #include "state/outline.h"
 #include "state/picture.h"
@@ -89,6 +90,61 @@ TEST_CASE("app: details say where kt is added to kr") {
     REQUIRE(refraction != sections.end());
     REQUIRE(refraction->sentences.size() == 1);
     CHECK(refraction->sentences[0].find("kt is added to kr") != std::string::npos);
+}
+
+TEST_CASE("app: the terms of illumination are told with their factors, and give the recorded sum") {
+    for (const SpecularModel model : {SpecularModel::phong, SpecularModel::blinn}) {
+        for (const ShadowMode shadows : {ShadowMode::transmissive, ShadowMode::none}) {
+            Scene scene = test::glass_ball_scene();
+            scene.settings.specular_model = model;
+            scene.settings.shadows = shadows;
+            for (Material& material : scene.materials) {
+                material.ka = Rgb<double>(0.2, 0.1, 0.3);
+                material.kd = Rgb<double>(0.5, 0.6, 0.7);
+                material.ks = Rgb<double>(0.4);
+                material.shininess = 3;
+            }
+            std::get<PointLight>(scene.lights[0].kind).attenuation = {1, 0.1, 0.02};
+            const auto document = test::document_of(scene);
+            PixelTree tree;
+            tree.tree = record_tree(document->world(), 40, 30);
+            tree.children = children_of(tree.tree);
+            const auto values = [](const DetailSection& section, const std::string& label) {
+                const auto row = std::ranges::find(section.rows, label, &DetailRow::label);
+                return row == section.rows.end() ? std::vector<double>{0, 0, 0} : row->values;
+            };
+            const auto alike = [](const std::vector<double>& told, const Rgb<double>& recorded) {
+                CHECK(told[0] == doctest::Approx(recorded.r).epsilon(1e-9));
+                CHECK(told[1] == doctest::Approx(recorded.g).epsilon(1e-9));
+                CHECK(told[2] == doctest::Approx(recorded.b).epsilon(1e-9));
+            };
+            int told = 0;
+            for (const TreeRay<double>& ray : tree.tree.rays) {
+                const auto sections = lighting_details(*document, tree, ray.id);
+                if (ray.shadow) {
+                    REQUIRE(sections.size() == 1);
+                    alike(values(sections[0], "diffuse"), ray.diffuse);
+                    alike(values(sections[0], "specular"), ray.specular);
+                    ++told;
+                } else if (ray.hit) {
+                    alike(values(sections.at(0), "ambient"), ray.ambient);
+                    if (shadows == ShadowMode::none) {
+                        Rgb<double> diffuse(0), specular(0);
+                        for (std::size_t k = 1; k < sections.size(); ++k) {
+                            const auto d = values(sections[k], "diffuse");
+                            const auto s = values(sections[k], "specular");
+                            diffuse = diffuse + Rgb<double>(d[0], d[1], d[2]);
+                            specular = specular + Rgb<double>(s[0], s[1], s[2]);
+                        }
+                        alike({diffuse.r, diffuse.g, diffuse.b}, ray.diffuse);
+                        alike({specular.r, specular.g, specular.b}, ray.specular);
+                        ++told;
+                    }
+                }
+            }
+            CHECK(told > 1);
+        }
+    }
 }
 
 TEST_CASE("app: numbers in a column have the same decimals") {

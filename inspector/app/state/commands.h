@@ -17,7 +17,8 @@ enum class Argument {
     new_file,  ///< to be written; the window asks for it
     pixel,     ///< I,J
     ray,       ///< a ray's number
-    words      ///< what the command's help says
+    words,     ///< what the command's help says
+    optional   ///< the same, and may be left out
 };
 
 struct Command {

@@ -27,19 +27,25 @@ const std::vector<ContrastLine>* lines_of(const State& state) {
 }
 bool has_lines(const State& state) { return lines_of(state) && !lines_of(state)->empty(); }
 
-/// To the next ray that the list names after the selected one, the first cause first.
+/// To the next ray that the list names, the first cause first: from where one has gone before, else
+/// from the selected ray, but from the primary ray, which is selected at first, to the beginning.
 template <int by> void go(State& state, std::string_view) {
     const std::vector<ContrastLine>& lines = *lines_of(state);
-    const auto here =
-        std::ranges::find(lines, state.selected()->id, &ContrastLine::ray) - lines.begin();
     const auto count = static_cast<std::ptrdiff_t>(lines.size());
+    const std::size_t ray = state.selected()->id;
+    std::ptrdiff_t here = std::ranges::find(lines, ray, &ContrastLine::ray) - lines.begin();
+    if (const auto before = state.difference(); before < lines.size() && lines[before].ray == ray) {
+        here = static_cast<std::ptrdiff_t>(before);
+    } else if (ray == 0) {
+        here = count;
+    }
     std::ptrdiff_t next = here == count ? (by > 0 ? 0 : count - 1) : here;
     while (here != count && next >= 0 && next < count &&
-           lines[static_cast<std::size_t>(next)].ray == state.selected()->id) {
+           lines[static_cast<std::size_t>(next)].ray == ray) {
         next += by;
     }
     next = (next + count) % count;
-    state.select(lines[static_cast<std::size_t>(next)].ray);
+    state.go_to_difference(static_cast<std::size_t>(next));
 }
 
 template <SidePane pane> void switch_side(State& state, std::string_view) {

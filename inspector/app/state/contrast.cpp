@@ -38,6 +38,41 @@ void graft(PixelTree& shown, Contrast& contrast) {
     }
 }
 
+/// A file need not say where its rays are: they are drawn where those of the truth are that they
+/// correspond to, or go on from the hit that sent them. No view tells such a number as the file's.
+void place(RayTree<double>& theirs, const check::Submission& recorded, const RayTree<double>& truth,
+           const std::vector<std::optional<std::size_t>>& counterparts) {
+    for (TreeRay<double>& ray : theirs.rays) {
+        const auto gives = [&](Field field) { return recorded.gives(ray.id, field); };
+        const TreeRay<double>* const true_ray =
+            counterparts[ray.id] ? &truth.rays[*counterparts[ray.id]] : nullptr;
+        const TreeRay<double>* const parent = ray.parent ? &theirs.rays[*ray.parent] : nullptr;
+        if (!gives(Field::origin)) {
+            ray.origin = parent && parent->hit ? parent->hit->point
+                         : true_ray            ? true_ray->origin
+                                               : truth.rays.front().origin;
+        }
+        if (!gives(Field::direction) && true_ray) {
+            ray.direction = true_ray->direction;
+        }
+        if (ray.hit && true_ray && true_ray->hit) {
+            TreeHit<double>& hit = *ray.hit;
+            if (!gives(Field::t)) {
+                hit.t = gives(Field::point) ? length(hit.point - ray.origin) : true_ray->hit->t;
+            }
+            if (!gives(Field::normal)) {
+                hit.normal = true_ray->hit->normal;
+            }
+        }
+        if (ray.hit && !gives(Field::point)) {
+            ray.hit->point = along(ray.origin, ray.hit->t, ray.direction);
+        }
+        if (ray.shadow && true_ray && true_ray->shadow && !gives(Field::distance)) {
+            ray.shadow->distance = true_ray->shadow->distance;
+        }
+    }
+}
+
 /// The truth by the conventions of whoever recorded the tree.
 PixelTree truth_for(const TreeSource& source, const check::Choices& conventions) {
     const check::Rulebooks books(source.document->scene(),
@@ -132,6 +167,12 @@ PixelTree laid_over(const TreeSource& shown_source, const Comparison& with,
     };
     PixelTree shown = tree_of(shown_source);
     contrast->other = tree_of(with.other).tree;
+    if (shown_is_recorded != (with.other.recorded != nullptr)) {
+        const check::Alignment found = check::align(shown.tree, contrast->other);
+        shown_is_recorded
+            ? place(shown.tree, *shown.recorded, contrast->other, found.of_first)
+            : place(contrast->other, *with.other.recorded, shown.tree, found.of_second);
+    }
     graft(shown, *contrast);
     if (report) {
         mark_by_findings(shown, *contrast, *report, shown_is_recorded);

@@ -192,7 +192,7 @@ void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
     if (contrast.what == What::cut) {
         return;
     }
-    std::vector<bool> handed_down(shown.tree.rays.size());
+    std::vector<bool> handed_down(shown.tree.rays.size()), reweighted(shown.tree.rays.size());
     for (const TreeRay<double>& ray : shown.tree.rays) {
         RayMark& mark = contrast.marks[ray.id];
         if (mark != RayMark::same) {
@@ -209,13 +209,20 @@ void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
             continue;
         }
         const bool from_above = ray.parent && handed_down[*ray.parent];
-        const bool own =
-            std::ranges::any_of(found, [](const auto& one) { return !is_passed_on(one.field); });
+        const auto has = [&](Field field) {
+            return std::ranges::find(found, field, &check::FieldDifference::field) != found.end();
+        };
+        reweighted[ray.id] = has(Field::weight) || has(Field::attenuation);
+        // Of a ray that weighs something else though the one above does not, kr or kt is other.
+        const bool own_weight = has(Field::weight) && ray.parent && !reweighted[*ray.parent];
+        const auto is_own = [&](const check::FieldDifference& one) {
+            return !is_passed_on(one.field) || (own_weight && one.field == Field::weight);
+        };
+        const bool own = std::ranges::any_of(found, is_own);
         handed_down[ray.id] =
             std::ranges::any_of(found, [](const auto& one) { return is_handed_down(one.field); });
         mark = own && !from_above ? RayMark::different : RayMark::follows;
-        const auto first =
-            std::ranges::find_if(found, [](const auto& one) { return !is_passed_on(one.field); });
+        const auto first = std::ranges::find_if(found, is_own);
         const auto& told = first == found.end() ? found.front() : *first;
         std::string text = number_of(shown, contrast, ray.id) + " " +
                            std::string(word_of(ray.kind)) + " ray: " + side_by_side(told, contrast);
@@ -230,14 +237,22 @@ void mark_by_numbers(const PixelTree& shown, Contrast& contrast) {
 std::string summary_of(const Contrast& contrast) {
     const auto count = [&](RayMark mark) { return std::ranges::count(contrast.marks, mark); };
     const auto causes = count(RayMark::different), follow = count(RayMark::follows);
-    const auto missing = count(RayMark::missing), extra = count(RayMark::extra);
+    const auto extra = count(RayMark::extra);
+    // Where it would stand is not known of every ray that a file lacks.
+    const auto missing =
+        count(RayMark::missing) + std::ranges::count_if(contrast.lines, [&](const auto& line) {
+            return line.mark == RayMark::missing && contrast.marks[line.ray] != RayMark::missing;
+        });
     if (causes + follow + missing + extra == 0) {
         return contrast.lines.empty()
                    ? "Every ray is the same in both."
                    : "The rays are the same in both, but for what is said below.";
     }
     const auto same = count(RayMark::same);
-    std::string text = std::to_string(same) + (same == 1 ? " ray" : " rays") + " the same, " +
+    // Of two pixels no number is the same: what is compared is where rays go.
+    const char* const alike =
+        contrast.what == What::pixel ? " to the same things, " : " the same, ";
+    std::string text = std::to_string(same) + (same == 1 ? " ray" : " rays") + alike +
                        std::to_string(causes + follow) + " different";
     if (causes + follow > 0) {
         text += " (" + std::to_string(causes) + " where it begins, " + std::to_string(follow) +

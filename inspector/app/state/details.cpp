@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "state/detail_rows.h"
 #include "state/numbers.h"
 #include "tree/eight_bit.h"
 #include "tree/explain.h"
@@ -13,20 +14,7 @@ namespace {
 using Row = DetailRow;
 using Weight = DetailRow::Weight;
 
-Row text_row(std::string label, std::string text) {
-    return {std::move(label), {std::move(text)}, Weight::normal, true, {}};
-}
-
-Row number_row(std::string label, double value) {
-    return {std::move(label), aligned(std::array{value}), Weight::normal, false, {}, {value}};
-}
-
-std::vector<double> values_of(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 std::vector<double> values_of(const Rgb<double>& c) { return {c.r, c.g, c.b}; }
-
-template <class Triple> Row triple_row(std::string label, const Triple& triple) {
-    return {std::move(label), aligned(triple), Weight::normal, false, {}, values_of(triple)};
-}
 
 /// What a sum does not notice is shown as 0, and little of it with its decimals. Copied, it has all
 /// of its digits.
@@ -34,12 +22,6 @@ Row summand_row(std::string label, const Rgb<double>& part, const Rgb<double>& s
     std::vector<std::string> texts = aligned_with(sum, noticed(part, sum));
     return {std::move(label), std::move(texts), Weight::normal, false, {}, values_of(part)};
 }
-
-Row heading_row(std::vector<std::string> cells) {
-    return {"", std::move(cells), Weight::faint, false, {}};
-}
-
-std::string reference(std::size_t ray) { return "#" + std::to_string(ray); }
 
 DetailSection way_of(const PixelTree& tree, const TreeRay<double>& ray) {
     DetailSection section{"Ray", {}, {}};
@@ -115,8 +97,8 @@ void add_branch(const PixelTree& tree, const TreeRay<double>& ray, const TreeRay
     if (tree.tree.settings.attenuation != Attenuation{}) {
         faint("f", Rgb<double>(child.attenuation));
     }
-    rows.push_back(
-        summand_row("   " + i + " of " + reference(child.id), child.intensity, ray.intensity));
+    rows.push_back(summand_row("   " + i + " of " + number_of(tree, child.id), child.intensity,
+                               ray.intensity));
     rows.back().weight = Weight::faint;
 }
 
@@ -129,7 +111,9 @@ DetailSection intensity_of(const PixelTree& tree, const TreeRay<double>& ray) {
         rows.push_back(summand_row("+ diffuse", ray.diffuse, ray.intensity));
         rows.push_back(summand_row("+ specular", ray.specular, ray.intensity));
         for (const std::size_t child : tree.children[ray.id]) {
-            if (tree.tree.rays[child].kind != RayKind::shadow) {
+            // Of the tree that it is compared with, no ray adds anything to this one's.
+            if (tree.tree.rays[child].kind != RayKind::shadow &&
+                tree.is_own(child) == tree.is_own(ray.id)) {
                 add_branch(tree, ray, tree.tree.rays[child], rows);
             }
         }
@@ -244,7 +228,8 @@ std::vector<DetailSection> details_of(const PixelTree& tree, std::size_t id) {
 
 std::string title_of(const TreeRay<double>& ray) {
     const std::string kind(word_of(ray.kind));
-    return reference(ray.id) + " " + kind + " ray" + (ray.shadow ? " to " + ray.shadow->light : "");
+    return "#" + std::to_string(ray.id) + " " + kind + " ray" +
+           (ray.shadow ? " to " + ray.shadow->light : "");
 }
 
 std::string value_text(const Rgb<double>& intensity, Quantize quantize) {

@@ -1,8 +1,10 @@
 #include "state/exports.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <regex>
 
+#include "check/submission.h"
 #include "formats/image.h"
 #include "formats/output_file.h"
 #include "formats/tree_dot.h"
@@ -40,9 +42,32 @@ std::string extension_of(const std::string& file) {
     return extension;
 }
 
+/// Whether a recorded tree says all that a tree's file of ours says: else a copy would make it up.
+bool says_all(const check::Submission& recorded) {
+    const auto gives_all = [&](std::size_t ray, std::initializer_list<Field> fields) {
+        return std::ranges::all_of(fields, [&](Field f) { return recorded.gives(ray, f); });
+    };
+    using enum Field;
+    return recorded.has_camera && recorded.has_settings &&
+           std::ranges::all_of(recorded.tree.rays, [&](const TreeRay<double>& ray) {
+               if (ray.shadow) {
+                   return gives_all(ray.id,
+                                    {origin, direction, light, transmittance, diffuse, specular});
+               }
+               return gives_all(ray.id, {origin, direction, weight, attenuation, intensity}) &&
+                      (!ray.hit || gives_all(ray.id, {object, t, point, normal, side, cos_incident,
+                                                      ambient, diffuse, specular}));
+           });
+}
+
 }  // namespace
 
 void export_tree(State& state, TreeExport as, const std::string& file) {
+    if (const auto& recorded = state.tree()->recorded; recorded && !says_all(*recorded)) {
+        throw InputError(recorded->file, "",
+                         "this tree does not say all that an exported one says; raytree's own, "
+                         "which O shows, can be exported");
+    }
     expect_writable(state, file);
     state.do_beside("Writing " + fs::path(file).filename().string(), [&] {
         write_output(file, written(own_tree(*state.tree()), state.document()->scene(), as));

@@ -48,8 +48,12 @@ void blank(OutlineTexts& texts, const PixelTree& tree, std::size_t ray) {
     if (!tree.gives_intensity(ray)) {
         texts.intensity = "not given";
     }
-    if (!tree.tree.rays[ray].shadow && !tree.gives(ray, Field::hit) &&
-        !tree.gives(ray, Field::object)) {
+    const bool tells_end = tree.tree.rays[ray].shadow
+                               ? tree.gives(ray, Field::blocked_by) ||
+                                     tree.gives(ray, Field::transmittance) ||
+                                     tree.gives_intensity(ray)
+                               : tree.gives(ray, Field::hit) || tree.gives(ray, Field::object);
+    if (!tells_end) {
         texts.met = "not given";
     }
 }

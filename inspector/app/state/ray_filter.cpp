@@ -83,13 +83,15 @@ std::vector<CountedGroup> groups_of(const PixelTree& tree, const RayFilter& filt
     std::map<int, std::size_t> levels;
     std::array<std::map<std::string, std::size_t, NaturalOrder>, 4> names;
     for (const TreeRay<double>& ray : tree.tree.rays) {
-        ++kinds[ray.kind];
-        ++levels[ray.level];
+        // Rays of the tree that is compared with have their row, and are not counted.
+        const std::size_t one = tree.is_own(ray.id) ? 1 : 0;
+        kinds[ray.kind] += one;
+        levels[ray.level] += one;
         if (ray.shadow) {
-            ++names[static_cast<std::size_t>(By::light)][ray.shadow->light];
+            names[static_cast<std::size_t>(By::light)][ray.shadow->light] += one;
         }
         if (const std::string object = met_by(ray); !object.empty()) {
-            ++names[static_cast<std::size_t>(By::object)][object];
+            names[static_cast<std::size_t>(By::object)][object] += one;
         }
     }
     for (const auto& [level, count] : levels) {

@@ -44,7 +44,7 @@ double weight_of(const PixelTree& tree, const TreeRay<double>& ray);
 /// What is least of all that the filter says of the ray.
 Shown shown(const RayFilter& filter, const PixelTree& tree, const TreeRay<double>& ray);
 
-/// A group, and how many rays of a tree are of it.
+/// A group, and how many of a tree's own rays are of it.
 struct CountedGroup {
     RayGroup group;
     std::size_t rays = 0;

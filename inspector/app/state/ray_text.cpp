@@ -3,6 +3,7 @@
 #include "formats/tree_json.h"
 #include "state/derivation_details.h"
 #include "state/details.h"
+#include "state/lighting_details.h"
 #include "state/marked_texts.h"
 #include "state/numbers.h"
 
@@ -34,6 +35,11 @@ std::string ray_as_text(const State& state) {
     }
     if (!can_derive(tree, ray, state.playback())) {
         return text;
+    }
+    if (!state.playback() || state.playback()->stage(ray) == Stage::evaluated) {
+        for (const DetailSection& section : lighting_details(*state.document(), tree, ray)) {
+            add(text, section);
+        }
     }
     const Derivation derivation = derive(state.document()->world(), tree.tree, ray);
     for (const DetailSection& section : derivation_details(derivation)) {

@@ -138,6 +138,9 @@ class State {
     void compare_with_before();
     bool can_compare_with_before() const { return before_ != nullptr; }
     /// Shows the other of the two.
+    /// Selects the ray of a line of the contrast, and remembers the line.
+    void go_to_difference(std::size_t line);
+    std::size_t difference() const { return difference_; }
     void swap_compared();
     void end_comparing();
 
@@ -231,6 +234,7 @@ class State {
     std::filesystem::path opened_file_;
     std::optional<std::filesystem::path> own_file_;
     std::optional<Against> against_;
+    std::size_t difference_ = ~std::size_t{0};  ///< the line that was gone to last
     std::optional<std::size_t> keep_selected_;  ///< in the tree before
     std::optional<std::size_t> same_selected_;  ///< the same tree is traced once more
     std::unique_ptr<LessonRun> lesson_;

@@ -96,6 +96,11 @@ void State::compare_with_before() {
     tell({.side_pane = true});
 }
 
+void State::go_to_difference(std::size_t line) {
+    difference_ = line;
+    select(tree_->contrast->lines[line].ray);
+}
+
 void State::swap_compared() {
     const auto there = tree_ && !tree_->is_own(selected_) ? tree_->contrast->counterparts[selected_]
                                                           : std::nullopt;

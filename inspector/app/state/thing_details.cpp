@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "formats/tree_diagram.h"
+#include "state/detail_rows.h"
 #include "state/numbers.h"
 #include "state/table.h"
 #include "tree/explain.h"
@@ -14,29 +15,16 @@ namespace {
 using Row = DetailRow;
 using Weight = DetailRow::Weight;
 
-Row text_row(std::string label, std::string text) {
-    return {std::move(label), {std::move(text)}, Weight::normal, true, {}};
-}
-Row number_row(std::string label, double value) {
-    return {std::move(label), aligned(std::array{value}), Weight::normal, false, {}, {value}};
-}
-Row triple_row(std::string label, const Vec3<double>& v) {
-    return {std::move(label), aligned(v), Weight::normal, false, {}, {v.x, v.y, v.z}};
-}
 Row colour_row(std::string label, const Rgb<double>& c, bool swatch = false) {
-    Row row{std::move(label), aligned(c), Weight::normal, false, {}, {c.r, c.g, c.b}};
+    Row row = triple_row(std::move(label), c);
     if (swatch) {
         row.swatch = c;
     }
     return row;
 }
-Row heading(std::vector<std::string> cells) {
-    return {"", std::move(cells), Weight::faint, false, {}};
-}
-
 void add(std::vector<Row>& rows, const Sphere& sphere) {
     rows.push_back(text_row("shape", "sphere"));
-    rows.push_back(heading({"x", "y", "z"}));
+    rows.push_back(heading_row({"x", "y", "z"}));
     rows.push_back(triple_row("centre c", sphere.center));
     rows.push_back(number_row("radius r", sphere.radius));
 }
@@ -48,7 +36,7 @@ void add(std::vector<Row>& rows, const Cone& cone) {
                                                  : pointed ? "cone"
                                                            : "frustum of a cone") +
                                          ", open at both ends"));
-    rows.push_back(heading({"x", "y", "z"}));
+    rows.push_back(heading_row({"x", "y", "z"}));
     rows.push_back(triple_row("base", cone.base));
     rows.push_back(triple_row("apex", cone.apex));
     rows.push_back(number_row("radius at base", cone.base_radius));
@@ -60,7 +48,7 @@ void add(std::vector<Row>& rows, const Polygon& polygon) {
     const std::size_t n = polygon.vertices.size();
     rows.push_back(text_row("shape", "polygon of " + std::to_string(n) + " vertices" +
                                          (polygon.normals.empty() ? "" : ", with normals")));
-    rows.push_back(heading({"x", "y", "z"}));
+    rows.push_back(heading_row({"x", "y", "z"}));
     for (std::size_t k = 0; k < std::min(n, most_vertices); ++k) {
         rows.push_back(triple_row("vertex " + std::to_string(k), polygon.vertices[k]));
     }
@@ -89,7 +77,7 @@ void add(std::vector<Row>& rows, const Mesh& mesh) {
             low = glm::min(low, vertex);
             high = glm::max(high, vertex);
         }
-        rows.push_back(heading({"x", "y", "z"}));
+        rows.push_back(heading_row({"x", "y", "z"}));
         rows.push_back(triple_row("from", low));
         rows.push_back(triple_row("to", high));
     }
@@ -110,11 +98,12 @@ DetailSection shape_of(const Object& object) {
 DetailSection transform_of(const Affine& transform) {
     DetailSection section{"Transform", {}, {}};
     auto& rows = section.rows;
-    rows.push_back(heading({"x", "y", "z"}));
+    rows.push_back(heading_row({"x", "y", "z"}));
     const char* const labels[] = {"x axis goes to", "y axis goes to", "z axis goes to",
                                   "origin goes to"};
     for (std::size_t k = 0; k < 4; ++k) {
-        rows.push_back(triple_row(labels[k], {transform[0][k], transform[1][k], transform[2][k]}));
+        rows.push_back(
+            triple_row(labels[k], Vec3<double>(transform[0][k], transform[1][k], transform[2][k])));
     }
     return section;
 }
@@ -125,7 +114,7 @@ DetailSection material_of(const Material& material) {
     if (!material.in_place && !material.name.empty()) {
         rows.push_back(text_row("name", material.name));
     }
-    rows.push_back(heading({"red", "green", "blue"}));
+    rows.push_back(heading_row({"red", "green", "blue"}));
     rows.push_back(colour_row("colour", material.color, true));
     rows.push_back(colour_row("ka ambient", material.ka));
     rows.push_back(colour_row("kd diffuse", material.kd));
@@ -143,9 +132,9 @@ DetailSection light_of(const Light& light) {
     auto& rows = section.rows;
     const auto* const point = std::get_if<PointLight>(&light.kind);
     rows.push_back(text_row("kind", point ? "point light" : "directional light"));
-    rows.push_back(heading({"red", "green", "blue"}));
+    rows.push_back(heading_row({"red", "green", "blue"}));
     rows.push_back(colour_row("intensity", light.intensity));
-    rows.push_back(heading({"x", "y", "z"}));
+    rows.push_back(heading_row({"x", "y", "z"}));
     if (!point) {
         rows.push_back(triple_row("direction", std::get<DirectionalLight>(light.kind).direction));
         return section;
@@ -153,7 +142,7 @@ DetailSection light_of(const Light& light) {
     rows.push_back(triple_row("position", point->position));
     const auto& [a, b, c] = point->attenuation;
     if (point->attenuation != Attenuation{}) {
-        rows.push_back(heading({"a", "b", "c"}));
+        rows.push_back(heading_row({"a", "b", "c"}));
         rows.push_back(
             {"attenuation", aligned(std::array{a, b, c}), Weight::normal, false, {}, {a, b, c}});
         section.sentences.push_back("It fades with the distance t by 1 / (a + b t + c t²).");
@@ -164,7 +153,8 @@ DetailSection light_of(const Light& light) {
 /// Each a line that leads to its ray.
 DetailSection rays_of(const Scene& scene, const PixelTree& tree, Thing thing) {
     const bool light = thing.kind == Thing::Kind::light;
-    const auto rays = rays_that_concern(scene, tree.tree, thing);
+    auto rays = rays_that_concern(scene, tree.tree, thing);
+    std::erase_if(rays, [&](std::size_t ray) { return !tree.is_own(ray); });
     DetailSection section{
         std::string(light ? "Shadow rays to it" : "Rays that meet it") + " in this pixel's tree",
         {},

@@ -89,6 +89,13 @@ std::optional<KnobOwner> owner_of(const Scene& scene, const TreeRay<double>& ray
                : std::optional(KnobOwner{KnobOwner::Kind::material, object->material});
 }
 
+/// The light itself, or what the object is made of.
+KnobOwner owner_of(const Scene& scene, Thing thing) {
+    return thing.kind == Thing::Kind::light
+               ? KnobOwner{KnobOwner::Kind::light, thing.index}
+               : KnobOwner{KnobOwner::Kind::material, scene.objects[thing.index].material};
+}
+
 }  // namespace
 
 ChangePane::ChangePane(State& state, std::function<void(const std::string& command)> run,
@@ -188,10 +195,12 @@ void ChangePane::list_owners() {
 }
 
 void ChangePane::follow_ray() {
-    if (!follows_->isChecked() || !state_.selected() || following_) {
+    if (!follows_->isChecked() || following_ || (!state_.selected() && !state_.thing())) {
         return;
     }
-    const auto owner = owner_of(state_.document()->scene(), *state_.selected());
+    const Scene& scene = state_.document()->scene();
+    const auto owner = state_.thing() ? std::optional(owner_of(scene, *state_.thing()))
+                                      : owner_of(scene, *state_.selected());
     const auto place = owner ? std::ranges::find(listed_, *owner) : listed_.end();
     if (place != listed_.end()) {
         owners_->setCurrentIndex(static_cast<int>(place - listed_.begin()));

@@ -165,12 +165,17 @@ void ComparePane::show_lines() {
     }
     remarks_->setText(remarks);
     remarks_->setVisible(!remarks.isEmpty());
+    const std::string& reference =
+        contrast->shown_is_reference ? contrast->shown_name : contrast->other_name;
     legend_->setText(
         QStringLiteral("≠\u00a0differs, and here is why   ~\u00a0follows from another   "
-                       "−\u00a0missing: only in the reference   +\u00a0extra: not in it"));
+                       "−\u00a0missing: only in %1   +\u00a0extra: not in it")
+            .arg(contrast->what == Contrast::What::file ? QStringLiteral("the reference")
+                                                        : qt(reference)));
     following_ = false;
     lines_->fit_rows();
     show_selection();
+    lines_->scrollToTop();  // the causes stand first
 }
 
 void ComparePane::show_selection() {

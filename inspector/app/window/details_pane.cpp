@@ -12,6 +12,7 @@
 #include "state/derivation_details.h"
 #include "state/details.h"
 #include "state/formula_details.h"
+#include "state/lighting_details.h"
 #include "state/marked_texts.h"
 #include "state/numbers.h"
 #include "state/thing_details.h"
@@ -239,6 +240,9 @@ template <class Writer> void DetailsPane::write_ray(Writer& writer) const {
     write(formula_details(state_));
     write(known_details(tree, ray.id, state_.playback()));
     if (can_derive(tree, ray.id, state_.playback())) {
+        if (!state_.playback() || state_.playback()->stage(ray.id) == Stage::evaluated) {
+            write(lighting_details(*state_.document(), tree, ray.id));
+        }
         write(derivation_details(derive(state_.document()->world(), tree.tree, ray.id)));
     }
 }

@@ -58,7 +58,7 @@ void DiagramPane::prepare() {
         tree_ = state_.tree();
         folded_below_ = tree_ ? fold_of(*tree_, state_.tree_pane()) : 0;
         diagram_ = tree_ ? diagram_of(tree_->tree, folded_below_) : Diagram();
-        own_view_ ? begin_view() : keep_in_place();
+        own_view_ ? begin_view() : fitted_ ? fit() : keep_in_place();
     }
     if (std::exchange(stale_looks_, false)) {
         looks_ = tree_ ? box_looks(diagram_, *tree_, state_.playback()) : std::vector<BoxLook>();
@@ -75,6 +75,7 @@ void DiagramPane::begin_view() {
         return;
     }
     own_view_ = true;
+    fitted_ = false;
     const DiagramBox& root = diagram_.boxes.front();
     scale_ = std::clamp(std::min((width() - 2 * margin) / diagram_.width,
                                  (room_height() - 2 * margin) / diagram_.height),
@@ -89,6 +90,7 @@ void DiagramPane::fit() {
         return;
     }
     own_view_ = false;
+    fitted_ = true;
     scale_ = std::clamp(std::min((width() - 2 * margin) / diagram_.width,
                                  (room_height() - 2 * margin) / diagram_.height),
                         least_scale, 1.5);
@@ -100,6 +102,7 @@ void DiagramPane::zoom_by(double factor, QPointF about) {
     scale_ = std::clamp(scale_ * factor, least_scale, most_scale);
     origin_ = about - (about - origin_) * (scale_ / before);
     own_view_ = false;
+    fitted_ = false;
     keep_in_place();
     update();
 }
@@ -148,7 +151,7 @@ void DiagramPane::resizeEvent(QResizeEvent*) {
         state_.change_tree_pane(pane);
     }
     prepare();
-    own_view_ ? begin_view() : keep_in_place();
+    fitted_ ? fit() : own_view_ ? begin_view() : keep_in_place();
 }
 
 void DiagramPane::paintEvent(QPaintEvent*) {
@@ -249,6 +252,7 @@ void DiagramPane::mouseMoveEvent(QMouseEvent* event) {
         origin_ += event->localPos() - last_;
         last_ = event->localPos();
         own_view_ = false;
+        fitted_ = false;
         keep_in_place();
         update();
     }

@@ -54,6 +54,7 @@ class DiagramPane : public QWidget {
     bool stale_ = true;     ///< whether the diagram is another one by now
     bool reveal_ = true;    ///< whether the selection is still to be scrolled to
     bool own_view_ = true;  ///< as long as nobody has zoomed or moved
+    bool fitted_ = false;   ///< likewise since all of it was asked for
     double scale_ = 1;
     QPointF origin_;  ///< of the diagram in the pane
     QPointF pressed_, last_;

@@ -207,9 +207,11 @@ void MainWindow::show_status() {
                    QStringLiteral("[*] — raytree inspector"));
     if (state_.tree()) {
         const bool pending = state_.playback() && state_.playback()->stage(0) != Stage::evaluated;
-        pixel_->set_texts({pending ? QStringLiteral("Pixel ") + qt(text_of(state_.pixel())) +
-                                         QStringLiteral("   … not known yet")
-                                   : qt(pixel_text(state_.tree()->tree))});
+        const QString pixel = QStringLiteral("Pixel ") + qt(text_of(state_.pixel()));
+        pixel_->set_texts({pending ? pixel + QStringLiteral("   … not known yet")
+                           : !state_.tree()->gives_intensity(0)
+                               ? pixel + QStringLiteral("   intensity not given")
+                               : qt(pixel_text(state_.tree()->tree))});
         // The formula of the full tree first makes room, then the rays by kind.
         const QString all =
             qt(pending ? sent_text(*state_.playback()) : counts_text(state_.tree()->tree));

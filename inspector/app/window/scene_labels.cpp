@@ -147,6 +147,11 @@ void add_lights_away(std::vector<SceneLabel>& labels, const State& state, const 
                               : ray->hit  ? std::optional(ray->hit->point)
                                           : std::nullopt;
         }
+        if (const auto* const sun = std::get_if<DirectionalLight>(&lights[away[k]].kind);
+            sun && label.seen_from) {  // its rays are parallel: its mark is on none of them
+            label.at =
+                *label.seen_from - sun->direction * (3 * extent.diagonal / length(sun->direction));
+        }
         labels.push_back(std::move(label));
     }
 }
