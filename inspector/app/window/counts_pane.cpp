@@ -156,6 +156,7 @@ CountsPane::CountsPane(State& state, QWidget* parent) : QTextBrowser(parent), st
     setOpenLinks(false);
     setAccessibleName(QStringLiteral("Counts of the ray tree"));
     document()->setDocumentMargin(10);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // its columns share the width
     state_.observe([this](const Changes& changes) {
         if (isVisible() && (changes.tree || changes.look)) {
             show_counts();

@@ -247,7 +247,7 @@ int OutlinePane::width_for(Column column) const {
             return of("no intersection");
         case Column::level:
         case Column::side:
-            return std::max(of("Level"), of("front"));
+            return std::max(of("Level   "), of("front"));  // a title is bold
         case Column::angle:
             return of("Angle to n    ");
         case Column::weight:
