@@ -7,6 +7,7 @@
 #include "state/detail_rows.h"
 #include "state/thing.h"
 #include "trace/shading.h"
+#include "tree/explain.h"
 
 namespace raytree::inspector {
 namespace {
@@ -18,6 +19,7 @@ struct LitHit {
     const TreeHit<double>& hit;
     const Material& material;
     Vec3<double> viewing;  ///< d of the ray that hits
+    Rgb<double> sum;       ///< of which the terms are a part
 };
 
 std::optional<LitHit> lit_hit(const Document& document, const TreeRay<double>& ray) {
@@ -26,10 +28,14 @@ std::optional<LitHit> lit_hit(const Document& document, const TreeRay<double>& r
         return std::nullopt;
     }
     const Scene& scene = document.scene();
-    return LitHit{*ray.hit, scene.materials[scene.objects[object->index].material], ray.direction};
+    return LitHit{*ray.hit, scene.materials[scene.objects[object->index].material], ray.direction,
+                  ray.intensity};
 }
 
-DetailRow strong(DetailRow row) {
+/// What the sum does not notice is shown as 0, as elsewhere. Copied, it has all of its digits.
+DetailRow term_row(std::string label, const Rgb<double>& term, const Rgb<double>& sum) {
+    DetailRow row = triple_row(std::move(label), term);
+    row.cells = aligned_with(sum, noticed(term, sum));
     row.weight = DetailRow::Weight::strong;
     return row;
 }
@@ -41,7 +47,7 @@ void add_diffuse(std::vector<DetailRow>& rows, const LitHit& at, double cosine,
     rows.push_back(heading_row({"red", "green", "blue"}));
     rows.push_back(triple_row("kd · colour", k));
     rows.push_back(triple_row("Il · g · T", arriving));
-    rows.push_back(strong(triple_row("diffuse", cosine * (k * arriving))));
+    rows.push_back(term_row("diffuse", cosine * (k * arriving), at.sum));
 }
 
 void add_specular(std::vector<DetailRow>& rows, const LitHit& at, SpecularModel model,
@@ -54,10 +60,10 @@ void add_specular(std::vector<DetailRow>& rows, const LitHit& at, SpecularModel 
     const double power = std::pow(h, at.material.shininess);
     rows.push_back(number_row(model == SpecularModel::phong ? "h = R · V" : "h = n · H", h));
     rows.push_back(number_row("shininess m", at.material.shininess));
-    rows.push_back(number_row("hᵐ", power));
+    rows.push_back(text_row("hᵐ", number_text(power)));
     rows.push_back(heading_row({"red", "green", "blue"}));
-    rows.push_back(triple_row("ks · its colour", k));
-    rows.push_back(strong(triple_row("specular", power * (k * arriving))));
+    rows.push_back(triple_row("ks · colour", k));
+    rows.push_back(term_row("specular", power * (k * arriving), at.sum));
 }
 
 /// `transmittance`: how much of the light arrives.
@@ -80,15 +86,16 @@ DetailSection light_section(const Document& document, const LitHit& at, std::siz
     }
     rows.push_back(number_row("g of D", g));
     rows.push_back(heading_row({"red", "green", "blue"}));
-    rows.push_back(triple_row("intensity Il", light.intensity));
-    rows.push_back(triple_row("transmitted T", transmittance));
+    rows.push_back(triple_row("Il", light.intensity));
+    rows.push_back(triple_row("T", transmittance));
     const Rgb<double> arriving = g * (light.intensity * transmittance);
     const SpecularModel model = document.scene().settings.specular_model;
     add_diffuse(rows, at, lit.cosine, arriving);
     add_specular(rows, at, model, lit.towards, arriving);
-    section.sentences.push_back("diffuse = kd · colour · Il · g · T · (n · L)");
+    section.sentences.push_back(
+        "diffuse = kd · colour · Il · g · T · (n · L), T the share of the light that arrives");
     if (!is_zero(at.material.ks * at.material.specular_color)) {
-        section.sentences.push_back("specular = ks · its colour · Il · g · T · hᵐ");
+        section.sentences.push_back("specular = ks · its own colour · Il · g · T · hᵐ");
         section.sentences.push_back(model == SpecularModel::phong
                                         ? "h = max(0, R · V), R = 2 (n · L) n − L, V = −d"
                                         : "h = max(0, n · H), H halfway between L and V = −d");
@@ -97,12 +104,11 @@ DetailSection light_section(const Document& document, const LitHit& at, std::siz
 }
 
 DetailSection ambient_section(const Document& document, const LitHit& at) {
+    const Rgb<double>& light = document.scene().ambient;
     DetailSection section{"How ambient is worked out", {}, {}};
     section.rows = {heading_row({"red", "green", "blue"}), triple_row("ka", at.material.ka),
-                    triple_row("colour", at.material.color),
-                    triple_row("scene's light", document.scene().ambient),
-                    strong(triple_row(
-                        "ambient", at.material.ka * at.material.color * document.scene().ambient))};
+                    triple_row("colour", at.material.color), triple_row("scene's light", light),
+                    term_row("ambient", at.material.ka * at.material.color * light, at.sum)};
     return section;
 }
 
